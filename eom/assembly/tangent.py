@@ -1,0 +1,106 @@
+"""Tangent stiffness: what preloads do when the geometry that carries them turns.
+
+Each connection follows one law for finite motion, of which this is the exact first order. The force f acts on
+the first body at its place and, reversed, on the second body at that same spot:
+
+* a line pulls along the line between its ends;
+* a point's force keeps its direction in the axes of the second body (plane, road, bushing), and its moment
+  turns half with each body, as that of an elastic potential of the relative rotation vector does;
+* with an `upright` axis z, fixed on the second body, the moment is u x z with u fixed on the first body;
+* turning about a rolling axis does not carry the contact point along.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from eom.assembly.rows import arm, force_directions, six
+from eom.assembly.vectors import Array, directions, skew, unit
+from eom.vehicle.elements import GROUND, Body, Connection
+
+X1, THETA1, X2, THETA2 = (slice(3 * k, 3 * k + 3) for k in range(4))
+
+
+def preload(connection: Connection, reactions: Array) -> tuple[Array, Array]:
+    """Force [N] and moment [N m] on the first body, from one reaction per direction."""
+    along = force_directions(connection)
+    about = directions(connection.moments, connection.moment_axis)
+    return along.T @ reactions[: len(along)], about.T @ reactions[len(along) :]
+
+
+def force_change(connection: Connection, f: Array, arm_1: Array, arm_2: Array) -> Array:
+    """Change of the force f on the first body, shape (3, 12), per motion (x1, theta1, x2, theta2)."""
+    change = np.zeros((3, 12))
+    if connection.line:
+        span = np.subtract(connection.places[1], connection.places[0])
+        n = unit(span)
+        turn = (np.eye(3) - np.outer(n, n)) * ((f @ n) / (span @ n))
+        change[:, X1], change[:, THETA1] = -turn, turn @ skew(arm_1)
+        change[:, X2], change[:, THETA2] = turn, -turn @ skew(arm_2)
+    else:
+        change[:, THETA2] = -skew(f)
+    return change
+
+
+def moment_change(connection: Connection, m: Array) -> Array:
+    """Change of the moment m on the first body, shape (3, 12)."""
+    change = np.zeros((3, 12))
+    if connection.upright is None:
+        change[:, THETA1] = change[:, THETA2] = -0.5 * skew(m)
+    else:
+        z = unit(connection.upright)
+        u = np.cross(z, m)
+        change[:, THETA1] = skew(z) @ skew(u)
+        change[:, THETA2] = -skew(u) @ skew(z)
+    return change
+
+
+def arm_changes(connection: Connection, arm_1: Array, arm_2: Array) -> tuple[Array, Array]:
+    """Changes of the arms from both centres to where the force acts, each of shape (3, 12)."""
+    first, second = np.zeros((3, 12)), np.zeros((3, 12))
+    carried = np.eye(3)
+    if connection.rolling_axis is not None:
+        rho = unit(connection.rolling_axis)
+        carried -= np.outer(rho, rho)
+    first[:, THETA1] = -skew(arm_1) @ carried
+    if connection.line:
+        second[:, THETA2] = -skew(arm_2)
+    else:
+        second[:, X1], second[:, X2], second[:, THETA1] = np.eye(3), -np.eye(3), first[:, THETA1]
+    return first, second
+
+
+def connection_tangent(bodies: Sequence[Body], connection: Connection, reactions: Array) -> Array:
+    """Tangent stiffness of one connection, shape (12, 12), on (x1, theta1, x2, theta2) in body axes."""
+    f, m = preload(connection, reactions)
+    c1, c2 = arm(bodies, connection, 0), arm(bodies, connection, 1)
+    df, dm = force_change(connection, f, c1, c2), moment_change(connection, m)
+    dc1, dc2 = arm_changes(connection, c1, c2)
+    wrench = np.vstack(
+        [
+            df,
+            -skew(f) @ dc1 + skew(c1) @ df + dm,
+            -df,
+            skew(f) @ dc2 - skew(c2) @ df - dm,
+        ]
+    )
+    # resolved in axes that turn with each body
+    wrench[X1, THETA1] += skew(f)
+    wrench[THETA1, THETA1] += skew(np.cross(c1, f) + m)
+    wrench[X2, THETA2] -= skew(f)
+    wrench[THETA2, THETA2] -= skew(np.cross(c2, f) + m)
+    return -wrench
+
+
+def tangent_stiffness(
+    bodies: Sequence[Body], connections: Sequence[Connection], reactions: Sequence[Array]
+) -> Array:
+    """Sum of the connections' tangent stiffness over all coordinates, shape (6 n, 6 n)."""
+    K = np.zeros((6 * len(bodies), 6 * len(bodies)))
+    for connection, reaction in zip(connections, reactions, strict=True):
+        local = connection_tangent(bodies, connection, reaction)
+        for i, row in enumerate(connection.bodies):
+            for j, column in enumerate(connection.bodies):
+                if GROUND not in (row, column):
+                    K[six(row), six(column)] += local[6 * i : 6 * i + 6, 6 * j : 6 * j + 6]
+    return K

@@ -1,0 +1,41 @@
+"""Vectors in space: cross products, unit vectors and the directions that an axis stands for."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from eom.vehicle.elements import Vector
+
+Array = NDArray[np.float64]
+
+
+def skew(a: Vector | Array) -> Array:
+    """Matrix S(a), shape (3, 3), with S(a) b = a x b."""
+    x, y, z = a
+    return np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+
+
+def unit(a: Vector | Array) -> Array:
+    """The vector *a* divided by its length; ``ValueError`` for a zero vector."""
+    vector = np.asarray(a, dtype=float)
+    length = float(np.sqrt(vector @ vector))
+    if length == 0.0:
+        message = "an axis has no direction: its length is zero"
+        raise ValueError(message)
+    return vector / length
+
+
+def directions(count: int, axis: Vector | Array) -> Array:
+    """Unit directions, shape (count, 3), that *count* components about *axis* stand for.
+
+    One direction is the axis itself, two span the plane normal to it, three span space, none is none.
+    """
+    if count == 0:
+        return np.zeros((0, 3))
+    if count == 3:
+        return np.eye(3)
+    a = unit(axis)
+    if count == 1:
+        return a[np.newaxis]
+    helper = np.eye(3)[int(np.argmin(np.abs(a)))]
+    first = unit(helper - a * (a @ helper))
+    return np.array([first, skew(a) @ first])

@@ -1,0 +1,55 @@
+"""The one family of exceptions: each message names the object, what was expected and what came."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+
+class EomError(Exception):
+    """Base of every error that a user can cause or meet."""
+
+
+@dataclass(frozen=True, order=True)
+class Mistake:
+    """One mistake in a description, with the place where it stands.
+
+    Attributes
+    ----------
+    file : str
+        The file's name as the user gave it.
+    line, column : int
+        Position of the offending text, counted from 1.
+    where : str
+        Dotted path of the key, such as ``bodies.frame.mass``; empty for the file as a whole.
+    what : str
+        The sentence: what is wrong, what was expected, what to do.
+    """
+
+    file: str
+    line: int
+    column: int
+    where: str
+    what: str
+
+    def __str__(self) -> str:
+        where = f"{self.where}: " if self.where else ""
+        return f"{self.file}:{self.line}:{self.column}: {where}{self.what}"
+
+
+class DescriptionError(EomError):
+    """A vehicle file that says something wrong; holds every mistake found, in reading order."""
+
+    def __init__(self, mistakes: Sequence[Mistake]) -> None:
+        self.mistakes = tuple(sorted(set(mistakes)))
+        super().__init__("\n".join(map(str, self.mistakes)))
+
+
+class EquilibriumError(EomError):
+    """The drawn geometry, loads and trim are not in balance."""
+
+
+class SingularError(EomError):
+    """A matrix that must be regular is not: no mass, a locked loop, lost pivots."""
+
+
+class OutputError(EomError):
+    """An output that no proper state space can give."""

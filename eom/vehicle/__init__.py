@@ -1,0 +1,1 @@
+"""The description of a vehicle: text, schema, expressions, units of measure, the train of units."""

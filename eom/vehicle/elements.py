@@ -1,0 +1,149 @@
+"""The elements that every description comes down to: bodies, connections, what acts through them.
+
+All positions are in the inertial axes at the trim (ISO 8855: x forward, y left, z up), all quantities in SI
+units. A connection measures the motion of its first body relative to its second one, along its directions;
+what acts through it pushes the first body along them and the second one the other way. Body ``-1`` is ground. A draft holds expressions in place of the
+numbers.
+"""
+
+from typing import NamedTuple
+
+GROUND = -1
+Vector = tuple[float, float, float]
+Matrix3 = tuple[Vector, Vector, Vector]
+
+
+class Body(NamedTuple):
+    """A rigid body in its steady motion.
+
+    Attributes
+    ----------
+    name : str
+    mass : float
+        [kg]
+    centre : Vector
+        Centre of mass [m].
+    inertia : Matrix3
+        Inertia tensor about the centre of mass, in axes parallel to the inertial ones [kg m^2].
+    velocity : Vector
+        Trim velocity of the centre of mass [m/s].
+    spin : Vector
+        Trim angular velocity about an axis of symmetry [rad/s].
+    """
+
+    name: str
+    mass: float
+    centre: Vector
+    inertia: Matrix3
+    velocity: Vector
+    spin: Vector
+
+
+class Connection(NamedTuple):
+    """Where and along which directions two bodies meet.
+
+    Attributes
+    ----------
+    name : str
+    bodies : tuple of int
+        First and second body; the directions are fixed on the second one.
+    places : tuple of Vector
+        End points on the first and on the second body [m]; equal unless ``line``.
+    forces, moments : int
+        Number of directions of force and of moment, see `eom.assembly.vectors.directions`.
+    force_axis, moment_axis : Vector
+        The axes that these numbers refer to.
+    line : bool
+        True where the one force acts along the line from the first to the second place.
+    rolling_axis : Vector, optional
+        Spin axis of a first body that rolls: turning about it does not carry the contact point along.
+    upright : Vector, optional
+        Axis fixed on the second body to which the moment stays normal while it turns with the first body
+        (support, fifth wheel). Without it the moment turns half with each body.
+    """
+
+    name: str
+    bodies: tuple[int, int]
+    places: tuple[Vector, Vector]
+    forces: int = 0
+    force_axis: Vector = (0.0, 0.0, 1.0)
+    moments: int = 0
+    moment_axis: Vector = (0.0, 0.0, 1.0)
+    line: bool = False
+    rolling_axis: Vector | None = None
+    upright: Vector | None = None
+
+
+class Constraint(NamedTuple):
+    """A connection whose directions are locked; ``moving`` if relative to the frame that moves with the trim."""
+
+    connection: Connection
+    moving: bool = False
+
+
+class Elastic(NamedTuple):
+    """A spring and damper along each direction: (force, moment) stiffness [N/m, N m/rad] and damping.
+
+    Dampers act on the rate of displacement, not on body-axis velocity.
+    """
+
+    connection: Connection
+    stiffness: tuple[float, float]
+    damping: tuple[float, float]
+
+
+class Slip(NamedTuple):
+    """A force that opposes sliding velocity in body axes: minus ``coefficients`` (square) times slip velocity."""
+
+    connection: Connection
+    coefficients: tuple[tuple[float, ...], ...]
+
+
+class Load(NamedTuple):
+    """A constant force [N] and moment [N m] at a place of a body; ``frame`` is the body they turn with."""
+
+    name: str
+    body: int
+    place: Vector
+    force: Vector
+    moment: Vector
+    frame: int = GROUND
+
+
+class Input(NamedTuple):
+    """A signal that acts through a connection: per direction ``gain`` times it plus ``rate_gain`` times its rate."""
+
+    name: str
+    unit: str
+    connection: Connection
+    gain: tuple[float, ...]
+    rate_gain: tuple[float, ...]
+
+
+class Output(NamedTuple):
+    """A measured signal: a weighted sum of motions along one-directional connections.
+
+    ``quantity`` is ``position``, ``velocity`` or ``acceleration``; ``frame`` is ``body`` (rate of change of
+    body-axis components) or ``inertial``; ``feedthrough`` adds (input name, gain).
+    """
+
+    name: str
+    unit: str
+    quantity: str
+    frame: str
+    terms: tuple[tuple[float, Connection], ...]
+    feedthrough: tuple[tuple[str, float], ...] = ()
+
+
+class System(NamedTuple):
+    """Everything that acts, with numbers: what assembly turns into matrices."""
+
+    bodies: tuple[Body, ...]
+    gravity: Vector
+    constraints: tuple[Constraint, ...]
+    rolling: tuple[Connection, ...]
+    elastic: tuple[Elastic, ...]
+    slip: tuple[Slip, ...]
+    loads: tuple[Load, ...]
+    inputs: tuple[Input, ...]
+    outputs: tuple[Output, ...]
