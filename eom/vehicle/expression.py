@@ -47,6 +47,9 @@ class Expression:
     def __radd__(self, other: float) -> "Expression":
         return combine("+", as_expression(other), self)
 
+    def __rtruediv__(self, other: float) -> "Expression":
+        return combine("/", as_expression(other), self)
+
     def __rmul__(self, other: float) -> "Expression":
         return combine("*", as_expression(other), self)
 

@@ -11,7 +11,7 @@ from pydantic_core import CoreSchema, core_schema
 from eom.vehicle.expression import Expression, Number, finite, parse, shorten
 from eom.vehicle.units import Dimension, parse_unit, show_dimension
 
-MEASURED = re.compile(r"\s*([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?)\s*([A-Za-z°1].*?)\s*")
+MEASURED = re.compile(r"\s*([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?)\s*((?:[A-Za-z°]|(?<=\s)1/).*?)\s*")
 EXPONENT_ONLY = re.compile(r"[eE]\d*")
 
 

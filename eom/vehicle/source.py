@@ -146,7 +146,7 @@ class Reader:
     def scalar(self, node: yaml.ScalarNode, path: Path) -> Data:
         """A number, true, false, or text; everything else that YAML would guess stays text."""
         text = node.value
-        if node.style is not None:
+        if node.style in {"'", '"', "|", ">"}:
             return str(text)
         if LEADING_ZERO.match(text) and NUMBER.fullmatch(text):
             self.source.report(path, f"'{text}' has a leading zero, which YAML reads as octal: write it without")

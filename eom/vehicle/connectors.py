@@ -1,0 +1,111 @@
+"""Connectors between bodies: joints, springs, supports, tyres."""
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from eom.vehicle.parts import Flag, Identifier, Strict
+from eom.vehicle.quantity import AngularDamping, AngularStiffness, Axis, Damping, Place, Stiffness
+
+Count = Literal[0, 1, 2, 3]
+Pair = tuple[Identifier, Identifier]
+Carried = Literal["x", "y", "z", "roll", "pitch", "yaw"]
+
+
+class PointConnector(Strict):
+    """A place where two bodies meet; directions are fixed on the second one.
+
+    One force or moment acts along ``axis``, two act normal to it, three in all directions.
+    """
+
+    between: Pair
+    at: Place
+    forces: Count = 0
+    moments: Count = 0
+    axis: Axis | None = None
+    mirror: Flag = False
+
+
+class RigidPoint(PointConnector):
+    """A joint: locks its directions. A wheel that rolls on its contact point names its ``rolling_axis``."""
+
+    type: Literal["rigid_point"]
+    rolling_axis: Axis | None = None
+
+
+class RollingPoint(PointConnector):
+    """A nonholonomic joint: no sliding velocity along its directions, in body axes."""
+
+    type: Literal["nh_point"]
+
+
+class FlexPoint(PointConnector):
+    """A bushing: stiffness and damping along its directions of force and of moment."""
+
+    type: Literal["flex_point"]
+    stiffness: Stiffness | None = None
+    damping: Damping | None = None
+    angular_stiffness: AngularStiffness | None = None
+    angular_damping: AngularDamping | None = None
+
+
+class LineConnector(Strict):
+    """A line from a place on the first body to a place on the second one."""
+
+    between: Pair
+    ends: tuple[Place, Place]
+    mirror: Flag = False
+
+
+class Link(LineConnector):
+    """A massless rigid rod."""
+
+    type: Literal["link"]
+
+
+class Spring(LineConnector):
+    """A spring and damper along their line."""
+
+    type: Literal["spring"]
+    stiffness: Stiffness | None = None
+    damping: Damping | None = None
+
+
+class Support(Strict):
+    """What carries a body on the ground at a place: vertically, and in roll or pitch if said."""
+
+    type: Literal["support"]
+    body: Identifier
+    at: Place
+    carries: tuple[Literal["z", "roll", "pitch"], ...] = ("z",)
+    mirror: Flag = False
+
+
+class SlipDamper(Strict):
+    """Damping of sliding velocity in body axes, along an axis or (2) normal to it."""
+
+    type: Literal["slip_damper"]
+    body: Identifier
+    at: Place
+    axis: Axis
+    forces: Literal[1, 2] = 1
+    damping: Damping
+    mirror: Flag = False
+
+
+class TyreConnector(Strict):
+    """One or two wheels of a body on the ground, without an axle of a train."""
+
+    type: Literal["tyre"]
+    body: Identifier
+    at: Place
+    tyre: Identifier
+    wheels: Literal[1, 2] = 2
+    steered: Flag = False
+    mirror: Flag = False
+
+
+Connector = Annotated[
+    RigidPoint | RollingPoint | FlexPoint | Link | Spring | Support | SlipDamper | TyreConnector,
+    Field(discriminator="type"),
+]

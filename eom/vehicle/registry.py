@@ -1,0 +1,100 @@
+"""The live numbers of a description: declared parameters, and every literal under its object's name."""
+
+from dataclasses import dataclass, field
+from typing import cast
+
+from eom.vehicle.elements import Vector
+from eom.vehicle.expression import Expression, Name, Number, names, substitute
+from eom.vehicle.quantity import Quantity
+from eom.vehicle.source import Path
+from eom.vehicle.units import Dimension, parse_unit, show_dimension
+from eom.vehicle.validate import did_you_mean
+
+XYZ = ("x", "y", "z")
+
+
+@dataclass(frozen=True)
+class Live:
+    """A number that a user may change: its default, bounds and meaning."""
+
+    default: Expression
+    unit: str
+    description: str
+    path: Path
+    minimum: Expression | None = None
+    maximum: Expression | None = None
+    dimension: Dimension | None = None
+
+
+@dataclass
+class Registry:
+    """Collects live numbers and the mistakes made in referring to them."""
+
+    parameters: dict[str, Live] = field(default_factory=dict)
+    mistakes: list[tuple[Path, str]] = field(default_factory=list)
+    broken: frozenset[str] = frozenset()
+
+    def report(self, path: Path, what: str) -> None:
+        """Note a mistake at a path of the file."""
+        self.mistakes.append((path, what))
+
+    def resolve(self, quantity: Quantity, path: Path, scope: dict[str, Expression]) -> Expression:
+        """The quantity's expression with a template's arguments filled in; unknown names are reported."""
+        expression = substitute(quantity.expression, scope)
+        for name in names(expression):
+            if name not in self.parameters and name not in self.broken:
+                known = [key for key in (*self.parameters, *scope) if "." not in key]
+                self.report(path, f"unknown parameter '{name}'{did_you_mean(name, known)}")
+        self.check_dimension(expression, quantity.unit, path)
+        return expression
+
+    def check_dimension(self, expression: Expression, unit: str, path: Path) -> None:
+        """A bare parameter must have the dimension of the place where it stands."""
+        if isinstance(expression, Name) and unit != "*":
+            live = self.parameters.get(expression.name)
+            if live and live.dimension is not None and live.dimension != parse_unit(unit)[1]:
+                self.report(
+                    path,
+                    f"the parameter '{expression.name}' is in {show_dimension(live.dimension)}, "
+                    f"expected {unit or 'a plain number'}",
+                )
+
+    def number(
+        self, quantity: Quantity, name: str, path: Path, scope: dict[str, Expression] | None = None
+    ) -> float:
+        """What stands for a quantity in the draft: a literal becomes the parameter *name*.
+
+        Typed as the number that it will be once parameters have values.
+        """
+        if isinstance(quantity.expression, Number):
+            self.parameters[name] = Live(
+                quantity.expression, quantity.unit, f"{name.replace('.', ' ')}", path, dimension=quantity.dimension
+            )
+            return cast("float", Name(name))
+        return cast("float", self.resolve(quantity, path, scope or {}))
+
+    def place(
+        self,
+        values: tuple[Quantity, Quantity, Quantity],
+        name: str,
+        path: Path,
+        scope: dict[str, Expression] | None = None,
+    ) -> Vector:
+        """Three live numbers ``name.x``, ``name.y``, ``name.z``."""
+        x, y, z = (
+            self.number(value, f"{name}.{axis}", (*path, k), scope)
+            for k, (axis, value) in enumerate(zip(XYZ, values, strict=True))
+        )
+        return x, y, z
+
+    def axis(
+        self,
+        values: tuple[Quantity, Quantity, Quantity],
+        path: Path,
+        scope: dict[str, Expression] | None = None,
+    ) -> Vector:
+        """A direction: its literals are part of the structure and do not become parameters."""
+        x, y, z = (
+            cast("float", self.resolve(value, (*path, k), scope or {})) for k, value in enumerate(values)
+        )
+        return x, y, z

@@ -1,0 +1,146 @@
+"""Plain data against the schema: every mistake as a sentence at its place, and what remains valid."""
+
+import difflib
+from collections.abc import Iterable
+from functools import cache
+from typing import Any
+
+from pydantic import BaseModel, ValidationError
+from pydantic_core import ErrorDetails
+
+from eom.vehicle.description import Description
+from eom.vehicle.quantity import describe
+from eom.vehicle.source import Path, Source
+
+COLLECTIONS = ("bodies", "connectors", "loads", "actuators", "sensors", "tyres", "templates", "units", "couplings")
+MAX_ROUNDS = 50
+
+
+def did_you_mean(name: str, known: Iterable[str]) -> str:
+    """A suggestion to add to a message, empty if nothing known is close."""
+    close = difflib.get_close_matches(name, sorted(known), n=1, cutoff=0.6)
+    return f"; did you mean '{close[0]}'?" if close else ""
+
+
+def validate(source: Source) -> tuple[Description | None, frozenset[str]]:
+    """The valid part of the source's description, and the names of parts left out because of mistakes.
+
+    Mistakes are added to the source. Leaving out what is wrong and going on lets one run report all of them.
+    """
+    data: dict[str, Any] = {key: value for key, value in source.data.items() if value is not None}
+    broken: set[str] = set()
+    emptied: set[Path] = set()
+    for _ in range(MAX_ROUNDS):
+        try:
+            return Description.model_validate(data), frozenset(broken)
+        except ValidationError as error:
+            # the whole round first, as leaving out one part would hide the others' places
+            found = [(file_path(item["loc"], data), item) for item in error.errors(include_url=False)]
+            for path, item in found:
+                # a collection that is empty only because its parts were left out is no further mistake
+                if item["type"] != "too_short" or path not in emptied:
+                    source.report(*sentence(path, item))
+            for path, item in found:
+                emptied.add(leave_out(data, path, item["type"], broken))
+    return None, frozenset(broken)
+
+
+def file_path(location: tuple[str | int, ...], data: object) -> Path:
+    """A pydantic location as a path in the file: without the names of the schema's alternatives."""
+    path: list[str | int] = []
+    here = data
+    for k, step in enumerate(location):
+        if isinstance(here, dict) and step in here:
+            here = here[step]
+        elif isinstance(here, list) and isinstance(step, int) and step < len(here):
+            here = here[step]
+        elif k + 1 < len(location) or step == "[key]":
+            continue
+        elif isinstance(here, list) or (step not in alternatives()):
+            here = None
+        else:
+            continue
+        path.append(step)
+    return tuple(path)
+
+
+def alternatives() -> frozenset[str]:
+    """Names that pydantic puts into locations for the alternatives of a union."""
+    return frozenset({"unit", "use", "down", "vector", "products", "tensor"})
+
+
+def sentence(path: Path, item: ErrorDetails) -> tuple[Path, str]:
+    """Where a schema error is reported, and the sentence that says it."""
+    context = item.get("ctx", {})
+    value = describe(item.get("input"))
+    last = str(path[-1]) if path else ""
+    match item["type"]:
+        case "missing":
+            if isinstance(path[-1], int):
+                return path[:-1], "has too few entries"
+            return path[:-1], f"needs '{last}'"
+        case "extra_forbidden":
+            return path, f"unknown key '{last}'{did_you_mean(last, vocabulary())}"
+        case "value_error":
+            return path, str(context["error"])
+        case "literal_error":
+            return path, f"expected {context['expected']}, got {value}"
+        case "bool_type":
+            return path, f"expected true or false, got {value}"
+        case "string_type":
+            return path, f"expected text, got {value}"
+        case "string_pattern_mismatch":
+            return path, f"{value} is no name: a letter, then letters, digits and underscores"
+        case "string_too_long":
+            return path, f"is longer than {context['max_length']} characters"
+        case "too_long" | "too_short":
+            return path, f"has {context['actual_length']} entries, expected {context.get('max_length', 'one or more')}"
+        case "union_tag_not_found":
+            return path, "needs 'type'"
+        case "union_tag_invalid":
+            known = context["expected_tags"].replace("'", "").split(", ")
+            guess = did_you_mean(context["tag"], known)
+            return path, f"unknown type '{context['tag']}', expected one of {', '.join(known)}{guess}"
+        case "dict_type" | "model_type" | "model_attributes_type":
+            return path, f"expected a mapping of keys, got {value}"
+        case "tuple_type" | "list_type":
+            return path, f"expected a list, got {value}"
+        case _:
+            return path, f"{item['msg'][0].lower()}{item['msg'][1:]}, got {value}"
+
+
+@cache
+def vocabulary() -> frozenset[str]:
+    """Every key of the schema."""
+    keys: set[str] = set()
+    pending: list[type[BaseModel]] = [BaseModel]
+    while pending:
+        for model in pending.pop().__subclasses__():
+            if model.__module__.startswith("eom."):
+                keys.update(field.alias or name for name, field in model.model_fields.items())
+            pending.append(model)
+    return frozenset(keys)
+
+
+def leave_out(data: dict[str, Any], path: Path, kind: str, broken: set[str]) -> Path:
+    """Remove what *path* makes unusable: an unknown key alone, else the part it belongs to; return where from."""
+    if kind == "missing" and len(path) == 1:
+        data[str(path[0])] = "unnamed"
+        return ()
+    depth = len(path) if kind == "extra_forbidden" else part_depth(path)
+    here: Any = data
+    for step in path[: depth - 1]:
+        here = here.get(step) if isinstance(here, dict) else None
+    if isinstance(here, dict) and path[depth - 1] in here:
+        del here[path[depth - 1]]
+        if kind != "extra_forbidden":
+            broken.add(str(path[depth - 1]))
+    return path[: depth - 1]
+
+
+def part_depth(path: Path) -> int:
+    """Length of the path of the innermost named part (a body, an axle ...) that *path* lies in."""
+    parts = ("suspensions", "axle_groups", "axles", "bodies", "connectors")
+    if len(path) > 3 and path[0] in {"units", "templates"} and path[2] in parts:
+        return 4
+    return 2 if len(path) > 1 and path[0] in {*COLLECTIONS, "parameters"} else 1
