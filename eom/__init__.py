@@ -7,16 +7,28 @@ from typing import TYPE_CHECKING, Any
 
 from eom.errors import (
     DescriptionError as DescriptionError,
+)
+from eom.errors import (
     EomError as EomError,
+)
+from eom.errors import (
     EquilibriumError as EquilibriumError,
+)
+from eom.errors import (
     OutputError as OutputError,
+)
+from eom.errors import (
     SingularError as SingularError,
 )
 
 if TYPE_CHECKING:
     from eom.codegen import write_module as write_module
-    from eom.model import LinearModel as LinearModel, assemble as assemble, linearise as linearise
-    from eom.vehicle.load import Vehicle as Vehicle, load as load, loads as loads
+    from eom.model import LinearModel as LinearModel
+    from eom.model import assemble as assemble
+    from eom.model import linearise as linearise
+    from eom.vehicle.load import Vehicle as Vehicle
+    from eom.vehicle.load import load as load
+    from eom.vehicle.load import loads as loads
 
 PUBLIC = {
     "load": "eom.vehicle.load",

@@ -5,8 +5,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from eom.assembly.rows import six
-from eom.assembly.vectors import Array, Vector, skew
-from eom.vehicle.elements import GROUND, Body, Load
+from eom.assembly.vectors import Array, skew
+from eom.vehicle.elements import GROUND, Body, Load, Vector
 
 
 def with_weight(bodies: Sequence[Body], loads: Sequence[Load], gravity: Vector) -> list[Load]:

@@ -48,6 +48,8 @@ def coordinate_preference(system: System) -> Array:
     """Weights per coordinate for `pivoted_elimination`."""
     weights = np.tile([1.0] * 3 + [ROTATION_PREFERENCE] * 3, len(system.bodies))
     weights /= length_scales(system.bodies)
+    # of equal bodies the one described first keeps its coordinates
+    weights *= np.repeat(1.0 + 0.001 * np.arange(len(system.bodies)), 6)
     weights[:6] *= LEAD_PREFERENCE
     return weights
 
@@ -96,9 +98,7 @@ def closed(system: System, reduction: Reduction, drift: Array, motions: list[int
         G = basis(system, reduction, motions)
         inside = G @ np.linalg.lstsq(G, drift @ G, rcond=None)[0]
         leaving = [
-            motion
-            for k, motion in enumerate(motions)
-            if not is_negligible((drift @ G - inside)[:, [k]], drift, G)
+            motion for k, motion in enumerate(motions) if not is_negligible((drift @ G - inside)[:, [k]], drift, G)
         ]
         if not leaving:
             break

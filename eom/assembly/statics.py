@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from eom.assembly.vectors import Array
 from eom.vehicle.elements import Body, Elastic
@@ -46,7 +47,7 @@ def elastic_coefficients(elastic: Sequence[Elastic], which: str) -> Array:
         forces = 1 if item.connection.line else item.connection.forces
         linear, angular = item.stiffness if which == "stiffness" else item.damping
         values.append(np.concatenate([np.full(forces, linear), np.full(item.connection.moments, angular)]))
-    return np.concatenate(values).astype(float)
+    return np.concatenate(values).astype(np.float64)
 
 
 def length_scales(bodies: Sequence[Body]) -> Array:
@@ -63,10 +64,12 @@ def equilibrium(bodies: Sequence[Body], J: Array, H: Array, stiffness: Array, f:
     without preload; what is still open then takes the smallest reactions.
     """
     scale = length_scales(bodies)
-    carrying = stiffness > 0.0
+    carrying = stiffness != 0.0
     Hc, k = H[carrying], stiffness[carrying]
     T = np.hstack([J.T, Hc.T]) / scale[:, np.newaxis]
-    solution, _, rank, _ = np.linalg.lstsq(T, -f / scale, rcond=RANK_TOLERANCE)
+    found = np.linalg.lstsq(T, -f / scale, rcond=RANK_TOLERANCE)
+    solution: Array = np.asarray(found[0], dtype=np.float64)
+    rank = found[2]
     determinate = int(rank) == T.shape[1]
     deflection = np.zeros(len(f))
     if not determinate:
@@ -96,7 +99,7 @@ def share_by_stiffness(J: Array, H: Array, k: Array, f: Array) -> tuple[Array, A
     return np.concatenate([solution[:q], tensions]), motion / unit_stiffness
 
 
-def unbalanced(bodies: Sequence[Body], statics: Statics) -> Array:
+def unbalanced(bodies: Sequence[Body], statics: Statics) -> NDArray[np.intp]:
     """Indices of the coordinates whose residual is more than rounding, the largest first."""
     size = np.abs(statics.residual) / length_scales(bodies)
     order = np.argsort(-size, kind="stable")

@@ -92,9 +92,7 @@ def connection_tangent(bodies: Sequence[Body], connection: Connection, reactions
     return -wrench
 
 
-def tangent_stiffness(
-    bodies: Sequence[Body], connections: Sequence[Connection], reactions: Sequence[Array]
-) -> Array:
+def tangent_stiffness(bodies: Sequence[Body], connections: Sequence[Connection], reactions: Sequence[Array]) -> Array:
     """Sum of the connections' tangent stiffness over all coordinates, shape (6 n, 6 n)."""
     K = np.zeros((6 * len(bodies), 6 * len(bodies)))
     for connection, reaction in zip(connections, reactions, strict=True):

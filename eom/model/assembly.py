@@ -1,0 +1,202 @@
+"""A vehicle's matrices with their labels, checked."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from eom.assembly.checks import check_system
+from eom.assembly.diagnosis import massless_motion
+from eom.assembly.matrices import DISPLACEMENTS, VELOCITIES, Matrices, assemble_matrices
+from eom.assembly.pivots import choose_pivots
+from eom.assembly.reduction import Pivots, Reduction, reduce_coordinates
+from eom.assembly.rows import rows
+from eom.assembly.statics import unbalanced
+from eom.assembly.vectors import Array
+from eom.errors import DescriptionError, EquilibriumError, SingularError
+from eom.vehicle.elements import Connection, System
+from eom.vehicle.load import Vehicle
+
+
+@dataclass(frozen=True)
+class Assembly:
+    """Matrices of the equations of motion with the names of their rows and columns.
+
+    Attributes
+    ----------
+    vehicle : Vehicle
+    matrices : Matrices
+        All of them, statics included; the most used are attributes here too.
+    pivots : Pivots
+        Which coordinates are dependent, which change nothing.
+    """
+
+    vehicle: Vehicle
+    matrices: Matrices
+    pivots: Pivots
+
+    @property
+    def system(self) -> System:
+        """The vehicle's system of elements."""
+        return self.vehicle.system
+
+    @property
+    def M(self) -> Array:
+        """Mass matrix (N, N) over `velocities` [kg, kg m^2]."""
+        return self.matrices.M
+
+    @property
+    def C(self) -> Array:
+        """What multiplies body-axis velocities w: momentum, dampers, slip, (N, N)."""
+        return self.matrices.C
+
+    @property
+    def K(self) -> Array:
+        """What multiplies displacements p: elastic, tangent, load and moving-damper stiffness, (N, N)."""
+        return self.matrices.K
+
+    @property
+    def V(self) -> Array:
+        """Kinematic matrix (N, N) of dp/dt + V p - w = 0."""
+        return self.matrices.V
+
+    @property
+    def J(self) -> Array:
+        """Holonomic constraint rows over `coordinates`; labelled by `constraint_rows`."""
+        return self.matrices.J
+
+    @property
+    def Jn(self) -> Array:
+        """Nonholonomic constraint rows over `velocities`; labelled by `rolling_rows`."""
+        return self.matrices.Jn
+
+    @property
+    def H_slip(self) -> Array:
+        """Slip rows (tyres, slip dampers) over `velocities`; labelled by `slip_rows`."""
+        return self.matrices.H_slip
+
+    @property
+    def Theta(self) -> Array:
+        """Slip coefficients: force is minus Theta times slip velocity."""
+        return self.matrices.Theta
+
+    @cached_property
+    def reduction(self) -> Reduction:
+        """Displacements and velocities by independent ones."""
+        return reduce_coordinates(self.matrices, self.pivots)
+
+    @property
+    def R(self) -> Array:
+        """Right complement, (2 N, states): (p, w) = R (q, n) satisfies every constraint."""
+        T, W, Z = self.reduction.T, self.reduction.W, self.reduction.Z
+        return np.block([[T, np.zeros_like(W)], [Z, W]])
+
+    @property
+    def L(self) -> Array:
+        """Left complement, (2 N, states): its transpose picks dq/dt and removes the reactions."""
+        W, chosen = self.reduction.W, np.zeros_like(self.reduction.T)
+        chosen[self.reduction.independent, np.arange(chosen.shape[1])] = 1.0
+        return np.block(
+            [[chosen, np.zeros_like(W)], [np.zeros_like(chosen), W]],
+        )
+
+    @property
+    def E(self) -> Array:
+        """Descriptor mass matrix L' diag(I, M) R, (states, states)."""
+        N = len(self.M)
+        E0: Array = np.block([[np.eye(N), np.zeros((N, N))], [np.zeros((N, N)), self.M]])
+        return self.L.T @ E0 @ self.R
+
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """Names of the displacements p: ``body.x`` to ``body.yaw``."""
+        return tuple(f"{body.name}.{name}" for body in self.system.bodies for name in DISPLACEMENTS)
+
+    @property
+    def velocities(self) -> tuple[str, ...]:
+        """Names of the body-axis velocities w: ``body.v_x`` to ``body.yaw_rate``."""
+        return tuple(f"{body.name}.{name}" for body in self.system.bodies for name in VELOCITIES)
+
+    @property
+    def constraint_rows(self) -> tuple[str, ...]:
+        """Names of the rows of J: ``joint[k]``."""
+        return self.row_names([item.connection for item in self.system.constraints])
+
+    @property
+    def rolling_rows(self) -> tuple[str, ...]:
+        """Names of the rows of Jn."""
+        return self.row_names(list(self.system.rolling))
+
+    @property
+    def elastic_rows(self) -> tuple[str, ...]:
+        """Names of the elastic rows H."""
+        return self.row_names([item.connection for item in self.system.elastic])
+
+    @property
+    def slip_rows(self) -> tuple[str, ...]:
+        """Names of the slip rows."""
+        return self.row_names([item.connection for item in self.system.slip])
+
+    def row_names(self, connections: list[Connection]) -> tuple[str, ...]:
+        """One name per row: the connection's, numbered where it has several rows."""
+        result: list[str] = []
+        for item in connections:
+            count = len(rows(self.system.bodies, item))
+            result += [item.name] if count == 1 else [f"{item.name}[{k}]" for k in range(count)]
+        return tuple(result)
+
+
+def assemble(vehicle: Vehicle) -> Assembly:
+    """Assemble a vehicle's matrices about its trim.
+
+    Raises
+    ------
+    DescriptionError
+        If its numbers describe something that cannot be: an impossible inertia, a trim that violates a joint.
+    EquilibriumError
+        If the loads at the trim do not balance; names body and component.
+    SingularError
+        If a motion has no mass.
+    """
+    findings = check_system(vehicle.system)
+    if findings:
+        mistakes = [vehicle.mistake(name, what) for name, what in findings]
+        raise DescriptionError([mistake for error in mistakes for mistake in error.mistakes])
+    matrices = assemble_matrices(vehicle.system)
+    check_equilibrium(vehicle, matrices)
+    assembly = Assembly(vehicle, matrices, choose_pivots(vehicle.system, matrices))
+    massless = massless_motion(matrices, assembly.reduction)
+    if massless is not None:
+        name = assembly.velocities[massless]
+        raise SingularError(
+            str(vehicle.mistake(name.split(".")[0], f"the motion {name} has no mass: give the body mass or inertia"))
+        )
+    return assembly
+
+
+FORCES = (
+    "force along x",
+    "force along y",
+    "force along z",
+    "moment about x",
+    "moment about y",
+    "moment about z",
+)
+
+
+def check_equilibrium(vehicle: Vehicle, matrices: Matrices) -> None:
+    """Raise `EquilibriumError` if anything remains unbalanced, the three largest components named."""
+    statics = matrices.statics
+    worst = unbalanced(vehicle.system.bodies, statics)
+    if worst.size == 0:
+        return
+    lines = []
+    for index in worst[:3]:
+        body, component = vehicle.system.bodies[int(index) // 6].name, FORCES[int(index) % 6]
+        unit = "N" if index % 6 < 3 else "N m"
+        what = (
+            f"not in equilibrium: a {component} of {statics.residual[index]:.6g} {unit} remains on {body}; "
+            "add what carries it, or a load that balances it"
+        )
+        lines.append(str(vehicle.mistake(body, what)))
+    raise EquilibriumError("\n".join(lines))

@@ -1,0 +1,137 @@
+"""The linear model: minimal state space with names and units."""
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from eom.assembly.reduction import cyclic_basis, state_space
+from eom.assembly.vectors import Array
+from eom.errors import OutputError
+from eom.model.assembly import Assembly, assemble
+from eom.model.modes import Complex, Modes, modes_of
+from eom.vehicle.load import Vehicle
+
+if TYPE_CHECKING:
+    import control
+
+
+@dataclass(frozen=True)
+class LinearModel:
+    """dx/dt = A x + B u, y = C x + D u about the trim, everything named.
+
+    Attributes
+    ----------
+    A, B, C, D : Array
+        Shapes (n, n), (n, m), (k, n), (k, m); SI units and radians.
+    states, inputs, outputs : tuple of str
+        Displacements first, then velocities. ``a.yaw_from_b`` counts a's yaw from b's.
+    state_units, input_units, output_units : tuple of str
+    cyclic : tuple of int
+        States that change nothing but themselves (position, heading, wheel angle): their columns of A are zero but
+        for each other's drift, their eigenvalues exactly zero.
+    name : str
+    """
+
+    A: Array
+    B: Array
+    C: Array
+    D: Array
+    states: tuple[str, ...]
+    inputs: tuple[str, ...]
+    outputs: tuple[str, ...]
+    state_units: tuple[str, ...]
+    input_units: tuple[str, ...]
+    output_units: tuple[str, ...]
+    cyclic: tuple[int, ...]
+    name: str
+
+    def modes(self) -> Modes:
+        """Eigenvalues with frequency, damping ratio, time constant and participation."""
+        return modes_of(self.A, self.states, self.cyclic)
+
+    def frequency_response(self, frequency: ArrayLike) -> Complex:
+        """Response of every output to every input, shape (frequencies, outputs, inputs), *frequency* in Hz."""
+        s = 2j * np.pi * np.atleast_1d(np.asarray(frequency, dtype=float))[:, np.newaxis, np.newaxis]
+        resolvent = np.linalg.solve(s * np.eye(len(self.A)) - self.A, self.B.astype(complex))
+        return np.asarray(self.C @ resolvent + self.D, dtype=complex)
+
+    def without_cyclic(self) -> "LinearModel":
+        """The model without its cyclic states, and without the outputs that measure them."""
+        kept = np.setdiff1d(np.arange(len(self.A)), self.cyclic)
+        seen = np.flatnonzero(~np.any(self.C[:, list(self.cyclic)] != 0.0, axis=1))
+        return replace(
+            self,
+            A=self.A[np.ix_(kept, kept)],
+            B=self.B[kept],
+            C=self.C[np.ix_(seen, kept)],
+            D=self.D[seen],
+            states=tuple(self.states[k] for k in kept),
+            state_units=tuple(self.state_units[k] for k in kept),
+            outputs=tuple(self.outputs[k] for k in seen),
+            output_units=tuple(self.output_units[k] for k in seen),
+            cyclic=(),
+        )
+
+    def to_control(self) -> "control.StateSpace":
+        """The model as python-control's state space, names included; needs python-control installed."""
+        import control  # noqa: PLC0415  an optional partner, slow to import
+
+        return control.ss(
+            self.A,
+            self.B,
+            self.C,
+            self.D,
+            states=[name.replace(".", "_") for name in self.states],
+            inputs=[name.replace(".", "_") for name in self.inputs],
+            outputs=[name.replace(".", "_") for name in self.outputs],
+        )
+
+
+def linearise(vehicle: Vehicle | Assembly) -> LinearModel:
+    """Linear model of a vehicle about its trim.
+
+    Raises
+    ------
+    OutputError
+        If an acceleration would need the rate of an input.
+    DescriptionError, EquilibriumError, SingularError
+        As `assemble`.
+    """
+    assembly = vehicle if isinstance(vehicle, Assembly) else assemble(vehicle)
+    system = assembly.system
+    try:
+        model = state_space(system, assembly.matrices, assembly.pivots)
+    except ValueError as error:
+        raise OutputError(f"{assembly.vehicle.file}: {error}") from None
+    names, units = state_names(assembly)
+    return LinearModel(
+        *model,
+        states=names,
+        inputs=tuple(item.name for item in system.inputs),
+        outputs=tuple(item.name for item in system.outputs),
+        state_units=units,
+        input_units=tuple(item.unit for item in system.inputs),
+        output_units=tuple(item.unit for item in system.outputs),
+        cyclic=assembly.pivots.cyclic,
+        name=assembly.vehicle.name,
+    )
+
+
+def state_names(assembly: Assembly) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Names and units of the states (q, n)."""
+    reduction, pivots = assembly.reduction, assembly.pivots
+    names = [assembly.coordinates[k] for k in reduction.independent]
+    if pivots.cyclic:
+        basis = cyclic_basis(assembly.system.bodies, reduction, pivots)
+        for k in range(len(names)):
+            moved = np.flatnonzero(np.abs(basis[k]) > 1e-9)
+            if k not in pivots.cyclic and moved.size:
+                lead = assembly.coordinates[reduction.independent[pivots.cyclic[int(moved[0])]]]
+                names[k] += f"_from_{lead.rsplit('.', 1)[0]}"
+    names += [assembly.velocities[k] for k in reduction.independent_velocities]
+    kinds = [int(k) % 6 < 3 for k in (*reduction.independent, *reduction.independent_velocities)]
+    n_q = len(reduction.independent)
+    units = [("m" if linear else "rad") + ("" if k < n_q else "/s") for k, linear in enumerate(kinds)]
+    return tuple(names), tuple(units)
