@@ -27,14 +27,15 @@ KERNEL = (elements, vectors, jacobian, inertia, loads, tangent, statics, matrice
 SECTIONS = ("bodies", "constraints", "rolling", "elastic", "slip", "loads", "inputs", "outputs")
 
 
-def write_module(vehicle: Vehicle, folder: str | Path, name: str | None = None) -> Path:
+def write_module(vehicle: Vehicle | Assembly, folder: str | Path) -> Path:
     """Write a vehicle's module into a folder, which is made if missing; return the file's path.
 
-    The file's name is *name*, or that of the vehicle file.
+    Its name is that of the vehicle file. Errors as `eom.linearise`.
     """
     target = Path(folder)
     target.mkdir(parents=True, exist_ok=True)
-    path = target / f"{name or module_name(vehicle)}.py"
+    owner = vehicle.vehicle if isinstance(vehicle, Assembly) else vehicle
+    path = target / f"{module_name(owner)}.py"
     path.write_text(module_text(vehicle), encoding="utf-8")
     return path
 
@@ -65,7 +66,7 @@ def module_text(vehicle: Vehicle | Assembly) -> str:
     computed = {key: item for key, item in in_order(live).items() if key not in given}
     return environment.get_template("module.py.jinja").render(
         title=one_line(owner.name),
-        source="\n".join(textwrap.wrap(one_line(f"Source: {owner.description.source}"), 108)),
+        source="\n".join(textwrap.wrap(one_line(f"Source: {owner.description.source or 'not given.'}"), 108)),
         version=version("eom-vehicle"),
         name=literal(owner.name),
         file=literal(Path(owner.file).name),

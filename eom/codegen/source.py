@@ -2,10 +2,12 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import cast
 
 from eom.vehicle.draft import ORIGIN, Draft, X, Y, Z
 from eom.vehicle.elements import GROUND, Connection, Vector
-from eom.vehicle.expression import PRECEDENCE, Binary, Call, Expression, Name, python_text
+from eom.vehicle.expression import PRECEDENCE, Binary, Call, Expression, Name, Number, python_text
+from eom.vehicle.signals import unit_mass
 
 WIDTH = 110
 BODY_FIELDS = ("body", "bodies", "frame")
@@ -79,7 +81,7 @@ class Writer:
             pieces = [
                 f"{name}={self.body(part) if name in BODY_FIELDS else show(part, len(name) + 1)}"
                 for name, part in zip(fields, value, strict=True)
-                if name not in defaults or part != defaults[name]
+                if name not in defaults or plain(part) != defaults[name]
             ]
             opening, closing = f"{type(value).__name__}(", ")"
         else:
@@ -125,6 +127,11 @@ def make_writer(draft: Draft) -> tuple[Writer, list[tuple[str, str]]]:
                 name = f"{unit.name}_{axis}"
                 variables.append((name, writer.text(component, 4, len(name) + 3)))
                 numbers[component] = Name(LOCAL + name)
+        total = cast("Expression", unit_mass(draft, unit))
+        if isinstance(total, Binary):
+            name = f"{unit.name}_mass"
+            variables.append((name, writer.text(total, 4, len(name) + 3)))
+            numbers[total] = Name(LOCAL + name)
     writer = Writer(bodies, axes, numbers)
     places = dict(axes)
     for place, name in named_places(draft):
@@ -132,6 +139,13 @@ def make_writer(draft: Draft) -> tuple[Writer, list[tuple[str, str]]]:
             variables.append((name, writer.text(place, 4, len(name) + 3)))
             places[place] = name
     return Writer(bodies, places, numbers), variables
+
+
+def plain(value: object) -> object:
+    """Numbers of a draft as floats, to compare with an element's defaults."""
+    if isinstance(value, Number):
+        return value.value
+    return tuple(map(plain, value)) if isinstance(value, tuple) else value
 
 
 def named_places(draft: Draft) -> list[tuple[Vector, str]]:

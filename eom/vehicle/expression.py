@@ -248,7 +248,7 @@ def python_text(expression: Expression, show_name: Callable[[str], str] = str, o
             own = PRECEDENCE["negative"]
             text = "-" + python_text(argument, show_name, own)
         case Call(function, argument):
-            text, own = f"np.{NUMPY_NAMES.get(function, function)}({python_text(argument, show_name)})", 9
+            text, own = f"math.{function}({python_text(argument, show_name)})", 9
         case Binary(operator, left, right):
             own = PRECEDENCE[operator]
             # a ** b ** c groups to the right, everything else to the left
@@ -259,5 +259,3 @@ def python_text(expression: Expression, show_name: Callable[[str], str] = str, o
             raise TypeError(expression)
     return f"({text})" if own < outer else text
 
-
-NUMPY_NAMES = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}

@@ -115,7 +115,7 @@ def coupling_places(
             registry.place(item.at[following], f"{name}.at.{following}", (*path, "at", following)),
         )
         difference = cast("Expression", places[following][0][2] - places[following][1][2])
-        what = f"its heights in {ahead} and {following} differ: one of the units would not stand on the ground"
+        what = f"its places in {ahead} and {following} must be equally high above the ground"
         draft.zeros.append((difference, (*path, "at"), what))
     for unit in order[1:]:
         if unit not in places and not registry.broken:

@@ -1,0 +1,73 @@
+"""The commands and their options; each imports what it needs only when it runs."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+app = typer.Typer(
+    name="eom",
+    help="Equations of motion of road vehicles with trailers, from one YAML file.",
+    no_args_is_help=True,
+    add_completion=False,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+)
+
+File = Annotated[Path, typer.Argument(metavar="VEHICLE.yaml", help="The vehicle file.", show_default=False)]
+Set = Annotated[
+    list[str] | None,
+    typer.Option("--set", metavar="NAME=VALUE", help="Set a parameter, e.g. U=110km/h; may be repeated."),
+]
+
+
+@app.command()
+def check(file: File, settings: Set = None) -> None:
+    """Check a vehicle file; report its degrees of freedom, constraints, trim and loads."""
+    from eom.cli.check import run_check  # noqa: PLC0415
+
+    run_check(file, settings or [])
+
+
+@app.command()
+def build(
+    file: File,
+    settings: Set = None,
+    out: Annotated[Path, typer.Option("--out", metavar="FOLDER", help="Where the results go.")] = Path("build"),
+) -> None:
+    """Write a vehicle's importable module, its matrices (.npz, .mat) and a summary."""
+    from eom.cli.build import run_build  # noqa: PLC0415
+
+    run_build(file, settings or [], out)
+
+
+@app.command()
+def modes(
+    file: File,
+    settings: Set = None,
+    sweep: Annotated[
+        str | None,
+        typer.Option(metavar="NAME=FROM:TO:STEP", help="Repeat over a parameter, e.g. U=10:130:5km/h."),
+    ] = None,
+    out: Annotated[
+        Path | None, typer.Option("--out", metavar="FOLDER", help="Where table and plot of a sweep go.")
+    ] = None,
+) -> None:
+    """List a vehicle's modes: frequency, damping ratio, time constant; or their locus over a parameter."""
+    from eom.cli.modes import run_modes, run_sweep  # noqa: PLC0415
+
+    if sweep is None:
+        run_modes(file, settings or [])
+    else:
+        run_sweep(file, settings or [], sweep, out or Path("build"))
+
+
+@app.command()
+def schema() -> None:
+    """Print the JSON Schema of vehicle files, with which an editor completes and checks them."""
+    import json  # noqa: PLC0415
+
+    from eom.vehicle.description import Description  # noqa: PLC0415
+
+    text = json.dumps(Description.model_json_schema(by_alias=True), indent=2)
+    typer.echo(text)

@@ -1,0 +1,55 @@
+"""``eom modes``."""
+
+import re
+from pathlib import Path
+
+import numpy as np
+import typer
+
+from eom.cli.settings import UsageError, load_with
+from eom.model.linear import linearise
+from eom.report.modes import mode_table, plot_sweep, sweep_table, write_sweep
+
+SWEEP = re.compile(r"\s*([A-Za-z][\w.]*)\s*=\s*([^:]+):([^:]+):\s*([-+\d.eE]+)\s*(.*?)\s*")
+MAX_STEPS = 10_000
+
+
+def run_modes(file: Path, settings: list[str]) -> None:
+    """Print the modes of a vehicle."""
+    model = linearise(load_with(file, settings))
+    typer.echo(mode_table(model.modes()))
+
+
+def parse_sweep(text: str) -> tuple[str, list[float], str]:
+    """Name, values (both ends included where the step meets them) and unit of ``NAME=FROM:TO:STEPunit``."""
+    match = SWEEP.fullmatch(text)
+    expected = f"--sweep {text}: expected NAME=FROM:TO:STEP with an optional unit, such as U=10:130:5km/h"
+    if match is None:
+        raise UsageError(expected)
+    try:
+        start, stop, step = (float(match[k]) for k in (2, 3, 4))
+    except ValueError:
+        raise UsageError(expected) from None
+    if not np.all(np.isfinite([start, stop, step])) or step == 0.0 or (stop - start) / step < 0.0:
+        raise UsageError(f"--sweep {text}: the step does not lead from {start:g} to {stop:g}")
+    count = int((stop - start) / step * (1.0 + 1e-12) + 1e-9) + 1
+    if count > MAX_STEPS:
+        raise UsageError(f"--sweep {text}: has {count} steps, at most {MAX_STEPS} are allowed")
+    return match[1], [start + k * step for k in range(count)], match[5]
+
+
+def run_sweep(file: Path, settings: list[str], sweep: str, out: Path) -> None:
+    """Modes over a parameter: a table, all roots as CSV, and a picture of the locus."""
+    name, values, unit = parse_sweep(sweep)
+    results = []
+    with typer.progressbar(values, label=f"{name}", file=None, hidden=len(values) < 100) as progress:
+        for value in progress:
+            vehicle = load_with(file, settings, **{name: f"{value!r} {unit}" if unit else value})
+            results.append(linearise(vehicle).modes())
+    typer.echo(sweep_table(name, unit, values, results))
+    out.mkdir(parents=True, exist_ok=True)
+    stem = out / f"{file.stem}_{name.replace('.', '_')}"
+    write_sweep(stem.with_suffix(".csv"), name, unit, values, results)
+    label = f"{name} [{unit}]" if unit else name
+    plot_sweep(stem.with_suffix(".png"), f"{vehicle.name}: root locus", label, values, results)
+    typer.echo(f"\nroots  {stem.with_suffix('.csv')}\nlocus  {stem.with_suffix('.png')}")

@@ -1,0 +1,44 @@
+"""Matrices with their labels as files: NumPy's .npz and MATLAB's .mat."""
+
+from pathlib import Path
+
+import numpy as np
+
+from eom.model.assembly import Assembly
+from eom.model.linear import LinearModel
+
+
+def labelled_matrices(assembly: Assembly, model: LinearModel) -> dict[str, np.ndarray]:
+    """Every matrix by name, and the names of rows and columns as arrays of text.
+
+    Full coordinates: M, C, K, V over ``coordinates`` (p) and ``velocities`` (w), their parts, J, Jn, H, H_slip with
+    their row names, F, G over ``inputs``, complements R and L. State space: ``ss_A`` to ``ss_D`` over ``states``,
+    ``inputs``, ``outputs``, each with its units.
+    """
+    matrices = assembly.matrices._asdict()
+    statics = matrices.pop("statics")
+    result = {name: np.asarray(value) for name, value in matrices.items()}
+    result |= {"R": assembly.R, "L": assembly.L, "E": assembly.E}
+    result |= {"reactions": statics.reactions, "tensions": statics.tensions}
+    result |= {f"ss_{name}": getattr(model, name) for name in "ABCD"}
+    for name in ("coordinates", "velocities", "constraint_rows", "rolling_rows", "elastic_rows", "slip_rows"):
+        result[name] = np.array(getattr(assembly, name), dtype=str)
+    for name in ("states", "inputs", "outputs", "state_units", "input_units", "output_units"):
+        result[name] = np.array(getattr(model, name), dtype=str)
+    return result
+
+
+def write_npz(assembly: Assembly, model: LinearModel, path: Path) -> None:
+    """Write `labelled_matrices` for NumPy."""
+    np.savez(path, **labelled_matrices(assembly, model))
+
+
+def write_mat(assembly: Assembly, model: LinearModel, path: Path) -> None:
+    """Write `labelled_matrices` for MATLAB, texts as cell arrays."""
+    from scipy.io import savemat  # noqa: PLC0415  slow to import
+
+    contents = {
+        name: value.astype(object).reshape(-1, 1) if value.dtype.kind == "U" else value
+        for name, value in labelled_matrices(assembly, model).items()
+    }
+    savemat(path, contents)

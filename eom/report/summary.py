@@ -1,0 +1,94 @@
+"""The summary of a vehicle that ``eom check`` prints and ``eom build`` writes."""
+
+from collections.abc import Iterator
+
+from eom.assembly.diagnosis import redundant_joints
+from eom.assembly.vectors import Array
+from eom.model.assembly import Assembly
+from eom.model.linear import state_names
+from eom.report.loads import TrimLoads, trim_loads
+from eom.report.table import table
+
+
+def summary(assembly: Assembly) -> str:
+    """Degrees of freedom, constraints, trim and loads as text."""
+    blocks = [
+        "\n".join(heading(assembly)),
+        "\n".join(counts(assembly)),
+        "\n".join(trim(assembly)),
+        *load_tables(trim_loads(assembly)),
+    ]
+    return "\n\n".join(blocks) + "\n"
+
+
+def heading(assembly: Assembly) -> Iterator[str]:
+    """Name and source."""
+    vehicle = assembly.vehicle
+    yield vehicle.name
+    if vehicle.description.source:
+        yield f"source: {vehicle.description.source}"
+
+
+def counts(assembly: Assembly) -> Iterator[str]:
+    """Bodies, constraints with their rank, degrees of freedom, states."""
+    pivots, reduction = assembly.pivots, assembly.reduction
+    N, q, n = len(assembly.M), len(reduction.independent), len(reduction.independent_velocities)
+    yield f"bodies              {N // 6} ({N} coordinates)"
+    rank, total = len(pivots.rows), len(assembly.J)
+    yield f"constraints         {total}, rank {rank}, {redundancy(assembly, total - rank)}"
+    if len(assembly.Jn):
+        yield f"rolling constraints {len(assembly.Jn)}, rank {len(pivots.rolling_rows)}"
+    yield f"degrees of freedom  {q}" + (f" ({n} in velocity)" if n != q else "")
+    names, _ = state_names(assembly)
+    cyclic = ", ".join(names[k] for k in pivots.cyclic) or "none"
+    yield f"states              {q + n}, of which cyclic: {cyclic}"
+    yield f"inputs, outputs     {len(assembly.system.inputs)}, {len(assembly.system.outputs)}"
+
+
+def redundancy(assembly: Assembly, number: int) -> str:
+    """Which joints lock the same motion."""
+    if number == 0:
+        return "none redundant"
+    owners = [name.split("[")[0] for name in assembly.constraint_rows]
+    groups = "; ".join(" with ".join(group) for group in redundant_joints(assembly.J, owners))
+    return f"{number} redundant ({groups}): the loads of these joints are not unique, the smallest are taken"
+
+
+def trim(assembly: Assembly) -> Iterator[str]:
+    """Speed and equilibrium."""
+    statics = assembly.matrices.statics
+    speed = assembly.system.bodies[0].velocity[0]
+    held = any(item.moving for item in assembly.system.constraints)
+    yield f"trim speed          {speed:.6g} m/s ({speed * 3.6:.6g} km/h), {'held' if held else 'free'}"
+    worst = float(abs(statics.residual).max(initial=0.0))
+    how = "statics alone" if statics.determinate else "statics and stiffness"
+    yield f"equilibrium         by {how}, largest remainder {worst:.1e} N or N m"
+
+
+def load_tables(loads: TrimLoads) -> Iterator[str]:
+    """Tables of the loads that there are."""
+    if loads.supports:
+        yield table(
+            ("support", "force z [N]", "moment x [N m]", "moment y [N m]"),
+            ((name, number(f[2]), number(m[0]), number(m[1])) for name, (f, m) in loads.supports.items()),
+        )
+    if loads.axles:
+        yield table(("axle", "load [N]"), ((name, number(load)) for name, load in loads.axles.items()))
+    if loads.couplings:
+        yield table(
+            ("coupling, on the towed unit", "force x [N]", "force y [N]", "force z [N]"),
+            ((name, *components(f)) for name, (f, _) in loads.couplings.items()),
+        )
+    if loads.hold is not None:
+        yield f"force that holds the speed: {number(loads.hold)} N"
+
+
+def components(vector: Array) -> tuple[str, str, str]:
+    """Three numbers as text."""
+    x, y, z = vector
+    return number(x), number(y), number(z)
+
+
+def number(value: float) -> str:
+    """A load to a tenth, without a negative zero."""
+    return f"{round(float(value), 1) + 0.0:.1f}"
