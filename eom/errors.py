@@ -17,7 +17,7 @@ class Mistake:
     file : str
         The file's name as the user gave it.
     line, column : int
-        Position of the offending text, counted from 1.
+        Position of the offending text, counted from 1; 0 if it stands outside the file.
     where : str
         Dotted path of the key, such as ``bodies.frame.mass``; empty for the file as a whole.
     what : str
@@ -32,7 +32,8 @@ class Mistake:
 
     def __str__(self) -> str:
         where = f"{self.where}: " if self.where else ""
-        return f"{self.file}:{self.line}:{self.column}: {where}{self.what}"
+        place = f"{self.file}:{self.line}:{self.column}" if self.line else self.file
+        return f"{place}: {where}{self.what}"
 
 
 class DescriptionError(EomError):

@@ -160,8 +160,7 @@ def assemble(vehicle: Vehicle) -> Assembly:
     """
     findings = check_system(vehicle.system)
     if findings:
-        mistakes = [vehicle.mistake(name, what) for name, what in findings]
-        raise DescriptionError([mistake for error in mistakes for mistake in error.mistakes])
+        raise DescriptionError([vehicle.mistake(name, what) for name, what in findings])
     matrices = assemble_matrices(vehicle.system)
     check_equilibrium(vehicle, matrices)
     assembly = Assembly(vehicle, matrices, choose_pivots(vehicle.system, matrices))

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path as FilePath
 from typing import Any, cast
 
-from eom.errors import DescriptionError
+from eom.errors import DescriptionError, Mistake
 from eom.vehicle.description import Description
 from eom.vehicle.draft import (
     ORIGIN,
@@ -61,12 +61,10 @@ class Vehicle:
     values: Mapping[str, float]
     source: Source
 
-    def mistake(self, obj: str, what: str) -> DescriptionError:
-        """An error that points at a named object of the file."""
-        path = self.draft.names.get(obj, ())
-        self.source.mistakes.clear()
-        self.source.report(path, what)
-        return DescriptionError(self.source.mistakes)
+    def mistake(self, obj: str, what: str) -> Mistake:
+        """A mistake that points at a named object of the file, or at what it belongs to (``joint.row``)."""
+        path = self.draft.names.get(obj) or self.draft.names.get(obj.split(".")[0], ())
+        return self.source.mistake(path, what)
 
 
 def load(path: str | FilePath, **overrides: str | float) -> Vehicle:
@@ -88,9 +86,7 @@ def load(path: str | FilePath, **overrides: str | float) -> Vehicle:
     try:
         raw = FilePath(path).read_bytes()
     except OSError as error:
-        source = Source(str(path))
-        source.report((), f"cannot be read: {error.strerror}")
-        raise DescriptionError(source.mistakes) from None
+        raise DescriptionError([Mistake(str(path), 0, 0, "", f"cannot be read: {error.strerror}")]) from None
     return loads(raw, str(path), **overrides)
 
 
@@ -100,14 +96,13 @@ def loads(text: str | bytes, file: str = "<text>", **overrides: str | float) -> 
     try:
         source = read_source(raw.decode(), file)
     except UnicodeDecodeError as error:
-        source = Source(file)
-        source.report((), f"not readable as text: byte {error.start} is no UTF-8")
-        raise DescriptionError(source.mistakes) from None
+        what = f"not readable as text: byte {error.start} is no UTF-8"
+        raise DescriptionError([Mistake(file, 0, 0, "", what)]) from None
     description, broken = validate(source)
     if description is None:
         raise DescriptionError(source.mistakes)
     draft = make_draft(description, broken)
-    override(draft.registry, overrides)
+    source.mistakes += [Mistake(file, 0, 0, "", what) for what in override(draft.registry, overrides)]
     for where, what in draft.registry.mistakes:
         source.report(where, what)
     values = parameter_values(draft.registry, source)
@@ -170,23 +165,33 @@ def gravity(registry: Registry, description: Description) -> tuple[float, float,
             return ZERO, ZERO, -down
 
 
-def override(registry: Registry, overrides: Mapping[str, str | float]) -> None:
-    """Replace the values of named parameters."""
+def override(registry: Registry, overrides: Mapping[str, str | float]) -> list[str]:
+    """Replace the values of named parameters; what cannot be replaced is returned as sentences."""
+    mistakes = []
     for name, value in overrides.items():
         live = registry.parameters.get(name)
         if live is None:
             guess = did_you_mean(name, registry.parameters)
-            registry.report((), f"cannot set '{name}': there is no such parameter{guess}")
+            mistakes.append(f"cannot set '{name}': there is no such parameter{guess}")
             continue
         try:
             quantity = parse_quantity(value, live.unit)
             if live.unit == "*" and None not in {live.dimension, quantity.dimension}:
                 check_same(live, quantity.dimension, value)
+            for needed in names(quantity.expression):
+                check_known(needed, registry)
         except ValueError as error:
-            registry.report((), f"cannot set '{name}': {error}")
+            mistakes.append(f"cannot set '{name}': {error}")
             continue
-        expression = registry.resolve(quantity, (), {})
-        registry.parameters[name] = replace(live, default=expression)
+        registry.parameters[name] = replace(live, default=quantity.expression)
+    return mistakes
+
+
+def check_known(name: str, registry: Registry) -> None:
+    """An override's expression may refer to the file's parameters."""
+    if name not in registry.parameters:
+        message = f"unknown parameter '{name}'{did_you_mean(name, registry.parameters)}"
+        raise ValueError(message)
 
 
 def check_same(live: Live, dimension: object, value: object) -> None:

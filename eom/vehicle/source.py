@@ -37,10 +37,14 @@ class Source:
             path = path[:-1]
         return self.marks.get(path, (1, 1))
 
+    def mistake(self, path: Path, what: str) -> Mistake:
+        """A mistake at *path*."""
+        line, column = self.mark(path)
+        return Mistake(self.file, line, column, ".".join(map(str, path)), what)
+
     def report(self, path: Path, what: str) -> None:
         """Add a mistake at *path*."""
-        line, column = self.mark(path)
-        self.mistakes.append(Mistake(self.file, line, column, ".".join(map(str, path)), what))
+        self.mistakes.append(self.mistake(path, what))
 
 
 def read_source(text: str, file: str) -> Source:

@@ -18,8 +18,9 @@ MAX_ROUNDS = 50
 
 def did_you_mean(name: str, known: Iterable[str]) -> str:
     """A suggestion to add to a message, empty if nothing known is close."""
-    close = difflib.get_close_matches(name, sorted(known), n=1, cutoff=0.6)
-    return f"; did you mean '{close[0]}'?" if close else ""
+    by_lower_case = {key.lower(): key for key in sorted(known)}
+    close = difflib.get_close_matches(name.lower(), by_lower_case, n=1, cutoff=0.6)
+    return f"; did you mean '{by_lower_case[close[0]]}'?" if close else ""
 
 
 def validate(source: Source) -> tuple[Description | None, frozenset[str]]:

@@ -1,0 +1,48 @@
+# Two commands: `make demo` builds a B-train, `make test` runs every check. Both install what they need into .venv.
+PYTHON ?= $(shell for p in python3 python3.13 python3.12 python3.11; do \
+	$$p -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null && echo $$p && break; done)
+BIN := .venv/bin
+VEHICLE := vehicles/b_train_yaw_roll.yaml
+
+.PHONY: demo test lint docs pictures clean
+
+demo: .venv/installed
+	$(BIN)/eom check $(VEHICLE) --set U=110km/h
+	@echo
+	$(BIN)/eom modes $(VEHICLE) --set U=110km/h
+	@echo
+	$(BIN)/eom build $(VEHICLE) --set U=110km/h --out build
+	$(BIN)/python tools/steer_response.py build/b_train_yaw_roll.py build/b_train_yaw_roll.png
+
+test: lint docs
+	$(BIN)/python -m pytest
+
+lint: .venv/developing
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+
+docs: .venv/developing
+	$(BIN)/mkdocs build --quiet --strict --site-dir build/site
+
+# the figures of README and docs
+pictures: .venv/installed
+	$(BIN)/eom build $(VEHICLE) --set U=110km/h --out build
+	$(BIN)/python tools/steer_response.py build/b_train_yaw_roll.py docs/images/b_train_steer_response.png
+	$(BIN)/eom modes vehicles/bicycle.yaml --sweep U=0.5:10:0.1m/s --out docs/images
+	rm -f docs/images/*.csv
+
+clean:
+	rm -rf build .venv
+
+.venv/installed: pyproject.toml
+	@test -n "$(PYTHON)" || { echo "eom needs Python 3.11 or newer"; exit 1; }
+	@echo "installing into .venv ..."
+	test -x $(BIN)/python || $(PYTHON) -m venv .venv
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e .
+	@touch $@
+
+.venv/developing: .venv/installed
+	@echo "installing the tools for development into .venv ..."
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[dev]'
+	@touch $@

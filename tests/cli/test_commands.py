@@ -1,0 +1,138 @@
+"""The commands as a user runs them."""
+
+import csv
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+import scipy.io
+
+import eom
+from eom.cli import main
+from tests.vehicles.shipped import FOLDER, NAMES, vehicle
+
+
+def run(monkeypatch: pytest.MonkeyPatch, *arguments: object) -> int:
+    """Run the command line in this process; its exit status."""
+    monkeypatch.setattr(sys, "argv", ["eom", *map(str, arguments)])
+    with pytest.raises(SystemExit) as stop:
+        main()
+    return int(stop.value.code or 0)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_check_accepts_every_shipped_vehicle(
+    name: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(monkeypatch, "check", FOLDER / f"{name}.yaml") == 0
+    out = capsys.readouterr().out
+    assert "none redundant" in out
+    assert "equilibrium" in out
+
+
+def test_check_prints_freedom_constraints_and_loads(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(monkeypatch, "check", FOLDER / "b_train_yaw_roll.yaml", "--set", "U=100 km/h") == 0
+    out = capsys.readouterr().out
+    for piece in (
+        "constraints         26, rank 26, none redundant",
+        "degrees of freedom  10",
+        "27.7778 m/s (100 km/h), held",
+        "80928.4",
+        "fifth_wheel_2",
+    ):
+        assert piece in out
+
+
+@pytest.mark.parametrize("setting", ["U=100km/h", "U=100 km/h", "U = 27.777777777777779", "U=27.777777777777779 m/s"])
+def test_settings_work_with_and_without_a_space(
+    setting: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(monkeypatch, "check", FOLDER / "b_train_yaw_plane.yaml", "--set", setting) == 0
+    assert "(100 km/h)" in capsys.readouterr().out
+
+
+def test_build_writes_module_matrices_and_summary(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(monkeypatch, "build", FOLDER / "b_train_yaw_roll.yaml", "--out", tmp_path) == 0
+    out = capsys.readouterr().out
+    model = eom.linearise(vehicle("b_train_yaw_roll"))
+    arrays = np.load(tmp_path / "b_train_yaw_roll.npz")
+    cells = scipy.io.loadmat(tmp_path / "b_train_yaw_roll.mat")
+    # written at full precision: not a bit may be lost
+    np.testing.assert_array_equal(arrays["ss_A"], model.A)
+    np.testing.assert_array_equal(cells["ss_B"], model.B)
+    assert tuple(arrays["states"]) == model.states
+    assert [str(cell[0][0]) for cell in cells["outputs"]] == list(model.outputs)
+    assert arrays["J"].shape == (len(arrays["constraint_rows"]), len(arrays["coordinates"]))
+    assert "damping ratio" in (tmp_path / "b_train_yaw_roll.txt").read_text()
+    for suffix in ("py", "npz", "mat", "txt"):
+        assert f"b_train_yaw_roll.{suffix}" in out
+
+
+def test_modes_lists_each_pair_once(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(monkeypatch, "modes", FOLDER / "b_train_yaw_plane.yaml") == 0
+    out = capsys.readouterr().out
+    assert out.count("±") == 3
+    assert "-1.3179 ± 2.0835i" in out
+
+
+def test_a_sweep_prints_a_table_and_writes_roots_and_a_picture(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = FOLDER / "bicycle.yaml"
+    assert run(monkeypatch, "modes", file, "--sweep", "U=3:7:0.5m/s", "--out", tmp_path) == 0
+    lines = [line.split()[:2] for line in capsys.readouterr().out.splitlines() if line[:1].isdigit()]
+    # stable between weave speed 4.29 m/s and capsize speed 6.02 m/s
+    assert lines == [[f"{3 + k / 2:g}", "yes" if 2 < k < 7 else "no"] for k in range(9)]
+    with (tmp_path / "bicycle_U.csv").open() as table:
+        assert len(list(csv.reader(table))) == 1 + 9 * 8
+    assert (tmp_path / "bicycle_U.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_schema_is_valid_json_with_the_files_keys(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(monkeypatch, "schema") == 0
+    printed = json.loads(capsys.readouterr().out)
+    assert {"bodies", "units", "couplings", "trim"} <= set(printed["properties"])
+    assert printed == json.loads((FOLDER / "vehicle.schema.json").read_text())
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (["check", "missing.yaml"], "missing.yaml: cannot be read: No such file or directory"),
+        (["check", FOLDER / "disc.yaml", "--set", "U"], "expected NAME=VALUE"),
+        (["check", FOLDER / "disc.yaml", "--set", "u=3"], "there is no such parameter; did you mean"),
+        (["check", FOLDER / "disc.yaml", "--set", "r=3 kg"], "another dimension"),
+        (["modes", FOLDER / "disc.yaml", "--sweep", "U=1:2"], "expected NAME=FROM:TO:STEP"),
+        (["modes", FOLDER / "disc.yaml", "--sweep", "U=2:1:0.5"], "does not lead from 2 to 1"),
+        (["modes", FOLDER / "disc.yaml", "--sweep", "U=1:2:1e-9"], "steps, at most"),
+        (["check", FOLDER / "b_train_yaw_roll.yaml", "--set", "U=200 km/h"], "at most 44.4444 is allowed"),
+    ],
+)
+def test_mistakes_end_with_a_sentence_and_status_2(
+    arguments: list[object], sentence: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(monkeypatch, *arguments) == 2
+    captured = capsys.readouterr()
+    assert sentence in captured.err
+    assert "Traceback" not in captured.err
+
+
+def test_help_imports_nothing_heavy() -> None:
+    code = (
+        "import sys; sys.argv = ['eom', '--help']\n"
+        "from eom.cli import main\n"
+        "try:\n    main()\n"
+        "except SystemExit:\n    pass\n"
+        "print([name for name in ('numpy', 'scipy', 'pydantic', 'pint', 'matplotlib', 'jinja2') if name in sys.modules])"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.splitlines()[-1] == "[]"
