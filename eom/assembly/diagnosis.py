@@ -1,11 +1,9 @@
-"""What is wrong with a system of constraints or masses, by name: rank, redundancy, massless motions."""
+"""Which joints of a redundant system of constraints lock the same motion."""
 
 from collections.abc import Sequence
 
 import numpy as np
 
-from eom.assembly.matrices import Matrices
-from eom.assembly.reduction import Reduction
 from eom.assembly.statics import RANK_TOLERANCE
 from eom.assembly.vectors import Array
 
@@ -32,17 +30,3 @@ def redundant_joints(J: Array, owners: Sequence[str]) -> list[tuple[str, ...]]:
         tuple(dict.fromkeys(owners[int(i)] for i in np.flatnonzero(np.abs(vector) > SHOWN * np.max(np.abs(vector)))))
         for vector in null
     ]
-
-
-def massless_motion(matrices: Matrices, reduction: Reduction) -> int | None:
-    """Coordinate that moves most in a motion without mass, or None if every motion has mass."""
-    mass = reduction.W.T @ matrices.M @ reduction.W
-    scale = np.sqrt(np.maximum(np.diag(mass), 1e-300))
-    values, vectors = np.linalg.eigh(mass / np.outer(scale, scale))
-    weightless = np.flatnonzero(np.diag(mass) <= 0.0)
-    if weightless.size:
-        return int(reduction.independent_velocities[weightless[0]])
-    if values.size == 0 or values[0] > RANK_TOLERANCE:
-        return None
-    motion = reduction.W @ (vectors[:, 0] / scale)
-    return int(np.argmax(np.abs(motion)))

@@ -55,18 +55,26 @@ def coordinate_preference(system: System) -> Array:
 
 
 def choose_pivots(system: System, matrices: Matrices) -> Pivots:
-    """Dependent coordinates and cyclic motions of a system at its present numbers."""
+    """Dependent coordinates and cyclic motions of a system at its present numbers; every motion must have mass."""
+    return with_cyclic(system, matrices, choose_coordinates(system, matrices))
+
+
+def choose_coordinates(system: System, matrices: Matrices) -> Pivots:
+    """Dependent coordinates alone."""
     preference = coordinate_preference(system)
     kept, dependent = pivoted_elimination(matrices.J, preference)
     independent, T = complement(matrices.J[kept], dependent)
     rolling = pivoted_elimination(matrices.Jn @ T, preference[independent])
-    pivots = Pivots(tuple(kept), tuple(dependent), tuple(rolling[0]), tuple(rolling[1]))
+    return Pivots(tuple(kept), tuple(dependent), tuple(rolling[0]), tuple(rolling[1]))
+
+
+def with_cyclic(system: System, matrices: Matrices, pivots: Pivots) -> Pivots:
+    """The pivots with the motions that change nothing, and the coordinates that stand for them."""
     reduction = reduce_coordinates(matrices, pivots)
     motions = cyclic_motions(system, matrices, reduction)
-    G = basis(system, reduction, motions)
-    wanted = 1.0 / np.maximum(preference[independent], 1e-12)
+    wanted = 1.0 / coordinate_preference(system)[reduction.independent]
     # the pitch of a lone disc is also its spin: one of such motions stands for both
-    distinct, cyclic = pivoted_elimination(G.T, wanted)
+    distinct, cyclic = pivoted_elimination(basis(system, reduction, motions).T, wanted)
     return pivots._replace(cyclic_motions=tuple(motions[k] for k in distinct), cyclic=tuple(cyclic))
 
 

@@ -17,6 +17,7 @@ from eom.vehicle.elements import Body, System
 
 CYCLIC_TOLERANCE = 1e-11
 PIVOT_TOLERANCE = 1e-11
+MASS_TOLERANCE = 1e-10
 
 
 class Pivots(NamedTuple):
@@ -99,6 +100,20 @@ def reduce_coordinates(matrices: Matrices, pivots: Pivots) -> Reduction:
         lost = list(pivots.rolling_dependent)
         Z -= T[:, lost] @ np.linalg.solve((Jn @ T)[:, lost], Jn @ Z)
     return Reduction(T, T @ Tn, Z, independent, independent[kept])
+
+
+def massless_motion(matrices: Matrices, reduction: Reduction) -> int | None:
+    """Coordinate that moves most in a motion without mass, or None if every motion has mass."""
+    mass = reduction.W.T @ matrices.M @ reduction.W
+    scale = np.sqrt(np.maximum(np.diag(mass), 1e-300))
+    values, vectors = np.linalg.eigh(mass / np.outer(scale, scale))
+    weightless = np.flatnonzero(np.diag(mass) <= 0.0)
+    if weightless.size:
+        return int(reduction.independent_velocities[weightless[0]])
+    if values.size == 0 or values[0] > MASS_TOLERANCE:
+        return None
+    motion = reduction.W @ (vectors[:, 0] / scale)
+    return int(np.argmax(np.abs(motion)))
 
 
 def cyclic_motion(bodies: Sequence[Body], motion: int) -> Array:
@@ -214,6 +229,9 @@ def state_space(system: System, matrices: Matrices, pivots: Pivots) -> StateSpac
     that would need the rate of an input.
     """
     reduction = reduce_coordinates(matrices, pivots)
+    if massless_motion(matrices, reduction) is not None:
+        message = "a motion has no mass: give its bodies mass or inertia"
+        raise ValueError(message)
     A, mass = state_matrix(matrices, reduction)
     W, n_q = reduction.W, len(reduction.independent)
     B = np.zeros((len(A), len(system.inputs)))

@@ -2,20 +2,29 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
 from eom.assembly.checks import check_system
-from eom.assembly.diagnosis import massless_motion
 from eom.assembly.matrices import DISPLACEMENTS, VELOCITIES, Matrices, assemble_matrices
-from eom.assembly.pivots import choose_pivots
-from eom.assembly.reduction import Pivots, Reduction, reduce_coordinates
+from eom.assembly.pivots import choose_coordinates, with_cyclic
+from eom.assembly.reduction import Pivots, Reduction, massless_motion, reduce_coordinates
 from eom.assembly.rows import rows
 from eom.assembly.statics import unbalanced
 from eom.assembly.vectors import Array
 from eom.errors import DescriptionError, EquilibriumError, SingularError
 from eom.vehicle.elements import Connection, System
 from eom.vehicle.load import Vehicle
+
+
+class Descriptor(NamedTuple):
+    """Descriptor form of the equations of motion over the independent coordinates and velocities."""
+
+    E: Array
+    A: Array
+    B: Array
+    B_rate: Array
 
 
 @dataclass(frozen=True)
@@ -101,11 +110,13 @@ class Assembly:
         )
 
     @property
-    def E(self) -> Array:
-        """Descriptor mass matrix L' diag(I, M) R, (states, states)."""
-        N = len(self.M)
-        E0: Array = np.block([[np.eye(N), np.zeros((N, N))], [np.zeros((N, N)), self.M]])
-        return self.L.T @ E0 @ self.R
+    def descriptor(self) -> Descriptor:
+        """E dz/dt = A z + B u + B_rate du/dt with z = (q, n): the projections of the full equations by L and R."""
+        N, zero = len(self.M), np.zeros_like(self.M)
+        E0: Array = np.block([[np.eye(N), zero], [zero, self.M]])
+        A0: Array = -np.block([[self.V, -np.eye(N)], [self.K, self.C]])
+        L, R = self.L, self.R
+        return Descriptor(L.T @ E0 @ R, L.T @ A0 @ R, L[N:].T @ self.matrices.F, L[N:].T @ self.matrices.G)
 
     @property
     def coordinates(self) -> tuple[str, ...]:
@@ -163,14 +174,13 @@ def assemble(vehicle: Vehicle) -> Assembly:
         raise DescriptionError([vehicle.mistake(name, what) for name, what in findings])
     matrices = assemble_matrices(vehicle.system)
     check_equilibrium(vehicle, matrices)
-    assembly = Assembly(vehicle, matrices, choose_pivots(vehicle.system, matrices))
-    massless = massless_motion(matrices, assembly.reduction)
+    pivots = choose_coordinates(vehicle.system, matrices)
+    massless = massless_motion(matrices, reduce_coordinates(matrices, pivots))
     if massless is not None:
-        name = assembly.velocities[massless]
-        raise SingularError(
-            str(vehicle.mistake(name.split(".")[0], f"the motion {name} has no mass: give the body mass or inertia"))
-        )
-    return assembly
+        body = vehicle.system.bodies[massless // 6].name
+        what = f"the motion {body}.{VELOCITIES[massless % 6]} has no mass: give the body mass or inertia"
+        raise SingularError(str(vehicle.mistake(body, what)))
+    return Assembly(vehicle, matrices, with_cyclic(vehicle.system, matrices, pivots))
 
 
 FORCES = (

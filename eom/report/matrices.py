@@ -12,13 +12,14 @@ def labelled_matrices(assembly: Assembly, model: LinearModel) -> dict[str, np.nd
     """Every matrix by name, and the names of rows and columns as arrays of text.
 
     Full coordinates: M, C, K, V over ``coordinates`` (p) and ``velocities`` (w), their parts, J, Jn, H, H_slip with
-    their row names, F, G over ``inputs``, complements R and L. State space: ``ss_A`` to ``ss_D`` over ``states``,
-    ``inputs``, ``outputs``, each with its units.
+    their row names, F, G over ``inputs``, complements R and L, the descriptor form. State
+    space: ``ss_A`` to ``ss_D`` over ``states``, ``inputs``, ``outputs``, each with its units.
     """
     matrices = assembly.matrices._asdict()
     statics = matrices.pop("statics")
     result = {name: np.asarray(value) for name, value in matrices.items()}
-    result |= {"R": assembly.R, "L": assembly.L, "E": assembly.E}
+    result |= {"R": assembly.R, "L": assembly.L}
+    result |= {f"descriptor_{name}": value for name, value in assembly.descriptor._asdict().items()}
     result |= {"reactions": statics.reactions, "tensions": statics.tensions}
     result |= {f"ss_{name}": getattr(model, name) for name in "ABCD"}
     for name in ("coordinates", "velocities", "constraint_rows", "rolling_rows", "elastic_rows", "slip_rows"):
@@ -30,7 +31,8 @@ def labelled_matrices(assembly: Assembly, model: LinearModel) -> dict[str, np.nd
 
 def write_npz(assembly: Assembly, model: LinearModel, path: Path) -> None:
     """Write `labelled_matrices` for NumPy."""
-    np.savez(path, **labelled_matrices(assembly, model))
+    # a keyword of savez is a boolean, which the type of a mapping cannot exclude
+    np.savez(path, **labelled_matrices(assembly, model))  # type: ignore[arg-type]
 
 
 def write_mat(assembly: Assembly, model: LinearModel, path: Path) -> None:

@@ -9,6 +9,8 @@ import numpy as np
 from eom.model.modes import Modes
 from eom.report.table import table
 
+NEGLIGIBLE = 1e-9
+
 
 def mode_table(modes: Modes) -> str:
     """One line per real root or conjugate pair."""
@@ -21,7 +23,7 @@ def mode_table(modes: Modes) -> str:
                 root(value),
                 blank(modes.natural_frequency[k], modes.natural_frequency[k] > 0.0),
                 blank(modes.damping_ratio[k], np.isfinite(modes.damping_ratio[k])),
-                blank(modes.time_constant[k], np.isfinite(modes.time_constant[k])),
+                blank(modes.time_constant[k], abs(value.real) > NEGLIGIBLE * abs(value)),
                 ", ".join(modes.dominant(k, 1 if value == 0.0 else 2)),
             )
         )
@@ -35,13 +37,14 @@ def mode_table(modes: Modes) -> str:
 def root(value: complex) -> str:
     """A root, or a conjugate pair, to a useful number of digits."""
     if value.imag == 0.0:
-        return f"{value.real + 0.0:.4f}"
-    return f"{value.real:.4f} ± {value.imag:.4f}i"
+        return f"{round(value.real, 4) + 0.0:.4f}"
+    return f"{round(value.real, 4) + 0.0:.4f} ± {value.imag:.4f}i"
 
 
 def blank(value: float, shown: bool) -> str:
     """The value if it means something, else nothing."""
-    return f"{value:.4f}" if shown else "-"
+    # + 0.0 so that rounding leaves no negative zero
+    return f"{round(float(value), 4) + 0.0:.4f}" if shown else "-"
 
 
 def sweep_table(name: str, unit: str, values: Sequence[float], sweep: Sequence[Modes]) -> str:
@@ -78,7 +81,8 @@ def plot_sweep(path: Path, title: str, label: str, values: Sequence[float], swee
     mpl.use("Agg")
     from matplotlib import pyplot as plt  # noqa: PLC0415
 
-    roots = [modes.eigenvalues for modes in sweep]
+    # the exact zeros of cyclic coordinates would look like a stability limit
+    roots = [modes.eigenvalues[modes.eigenvalues != 0.0] for modes in sweep]
     colours = np.repeat(values, [len(own) for own in roots])
     every = np.concatenate(roots)
     # fast roots far to the left would hide the ones that matter

@@ -1,5 +1,6 @@
 """The summary of a vehicle that ``eom check`` prints and ``eom build`` writes."""
 
+import textwrap
 from collections.abc import Iterator
 
 from eom.assembly.diagnosis import redundant_joints
@@ -16,7 +17,7 @@ def summary(assembly: Assembly) -> str:
         "\n".join(heading(assembly)),
         "\n".join(counts(assembly)),
         "\n".join(trim(assembly)),
-        *load_tables(trim_loads(assembly)),
+        *load_tables(trim_loads(assembly), bool(assembly.vehicle.draft.axles)),
     ]
     return "\n\n".join(blocks) + "\n"
 
@@ -26,7 +27,7 @@ def heading(assembly: Assembly) -> Iterator[str]:
     vehicle = assembly.vehicle
     yield vehicle.name
     if vehicle.description.source:
-        yield f"source: {vehicle.description.source}"
+        yield textwrap.fill(f"source: {vehicle.description.source}", 100, subsequent_indent="        ")
 
 
 def counts(assembly: Assembly) -> Iterator[str]:
@@ -59,13 +60,14 @@ def trim(assembly: Assembly) -> Iterator[str]:
     statics = assembly.matrices.statics
     speed = assembly.system.bodies[0].velocity[0]
     held = any(item.moving for item in assembly.system.constraints)
-    yield f"trim speed          {speed:.6g} m/s ({speed * 3.6:.6g} km/h), {'held' if held else 'free'}"
+    how = "held" if held else "free" if speed else "at rest"
+    yield f"trim speed          {speed:.6g} m/s ({speed * 3.6:.6g} km/h), {how}"
     worst = float(abs(statics.residual).max(initial=0.0))
     how = "statics alone" if statics.determinate else "statics and stiffness"
     yield f"equilibrium         by {how}, largest remainder {worst:.1e} N or N m"
 
 
-def load_tables(loads: TrimLoads) -> Iterator[str]:
+def load_tables(loads: TrimLoads, has_axles: bool) -> Iterator[str]:
     """Tables of the loads that there are."""
     if loads.supports:
         yield table(
@@ -74,6 +76,8 @@ def load_tables(loads: TrimLoads) -> Iterator[str]:
         )
     if loads.axles:
         yield table(("axle", "load [N]"), ((name, number(load)) for name, load in loads.axles.items()))
+    elif has_axles:
+        yield "axle loads: not told apart, as whole units are supported; give the axle groups a 'support' each"
     if loads.couplings:
         yield table(
             ("coupling, on the towed unit", "force x [N]", "force y [N]", "force z [N]"),

@@ -253,16 +253,21 @@ def numbers(item: object, values: Mapping[str, float], draft: Draft, source: Sou
             return evaluate(item, values)
         except ValueError as error:
             path: Path = draft.names.get(owner.split(".")[0], ())
-            source.report(path, f"{error} (does it stand at zero speed?)" if divides(item, draft) else str(error))
+            source.report(path, AT_REST if stands_still(item, draft, values) else str(error))
             return 0.0
     if isinstance(item, tuple):
-        own = getattr(item, "name", "") or owner
+        own = getattr(item, "name", "") or getattr(getattr(item, "connection", None), "name", "") or owner
         parts = [numbers(part, values, draft, source, own) for part in item]
         return type(item)(*parts) if hasattr(item, "_fields") else tuple(parts)
     return item
 
 
-def divides(expression: Expression, draft: Draft) -> bool:
-    """Whether the trim speed occurs in an expression."""
+AT_REST = "needs a moving trim: slip and sideslip are angles against the trim speed, which is zero"
+
+
+def stands_still(expression: Expression, draft: Draft, values: Mapping[str, float]) -> bool:
+    """Whether an expression has to do with a trim speed that is zero."""
     speed = cast("Expression", draft.speed)
-    return speed == Number(0.0) or (isinstance(speed, Name) and speed.name in set(names(expression)))
+    return evaluate(speed, values) == 0.0 and (
+        isinstance(speed, Number) or set(names(speed)) <= set(names(expression))
+    )

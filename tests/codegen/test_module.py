@@ -147,6 +147,6 @@ def test_the_modules_are_linted_and_typed(tmp_path: Path) -> None:
 def test_text_of_the_file_cannot_break_out_of_the_module(tmp_path: Path) -> None:
     hostile = 'x""" + __import__("os").getcwd() + """\\'
     file = text("quarter_car").replace("name: Quarter car", f"name: '{hostile}'")
-    file = file.replace("source: >-", "source: >-\n  \"\"\"\n  import os")
+    file = file.replace("source: >-", 'source: >-\n  """\n  import os')
     module = imported(eom.loads(file, 'quote".yaml'), tmp_path)
     assert hostile == module.NAME

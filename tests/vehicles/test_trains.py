@@ -159,7 +159,9 @@ def with_axle_supports() -> str:
     lines = [line for line in file.splitlines() if "ride:" not in line and line.strip() != "connectors:"]
     changed = "\n".join(lines).replace("carries: [x, y]", "carries: [x, y, z]")
     for group, x in (("tridem", -11.5), ("front", 0), ("tandem", -5.635)):
-        changed = changed.replace(f"{group}: {{body: axles,", f"{group}: {{body: axles, support: {{at: [{x}, 0, h_r]}},")
+        changed = changed.replace(
+            f"{group}: {{body: axles,", f"{group}: {{body: axles, support: {{at: [{x}, 0, h_r]}},"
+        )
     return changed
 
 

@@ -1,0 +1,116 @@
+"""Numbers that describe something impossible are refused by name, file, line and column."""
+
+import pytest
+
+import eom
+from tests.vehicles.shipped import text
+
+CAR = """\
+name: car
+gravity: 9.81
+trim: {speed: U}
+parameters:
+  U: {value: 20 m/s, description: speed}
+tyres:
+  tyre: {per: axle, cornering: 80 kN/rad}
+bodies:
+  frame: {mass: 1500, at: [0, 0, 0.5], inertia: {xx: 500, yy: 2000, zz: 2200}}
+connectors:
+  plane: {type: support, body: frame, at: [0, 0, 0], carries: [z, roll, pitch]}
+  front: {type: tyre, body: frame, at: [1.2, 0, 0], tyre: tyre, steered: true}
+  rear: {type: tyre, body: frame, at: [-1.4, 0, 0], tyre: tyre}
+"""
+
+HERE = "between: [frame, ground], at: [0, 0, 0]"
+
+
+def refusal(old: str, new: str, error: type[eom.EomError] = eom.DescriptionError) -> str:
+    """The message that the changed car is refused with."""
+    assert old in CAR
+    with pytest.raises(error) as caught:
+        eom.assemble(eom.loads(CAR.replace(old, new), "car.yaml"))
+    return str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "sentence"),
+    [
+        ("mass: 1500", "mass: -5", "car.yaml:9:3: bodies.frame: its mass is -5 kg: a mass is not negative"),
+        (
+            "zz: 2200",
+            "zz: 2600",
+            "car.yaml:9:3: bodies.frame: no body has principal moments of inertia 500, 2000 and 2600",
+        ),
+        (
+            "zz: 2200}",
+            "zz: 2200}, spin: [0, 3, 0]",
+            "car.yaml:9:3: bodies.frame: it spins about an axis that is no axis",
+        ),
+        ("speed: U", "speed: 0*U", "car.yaml:12:3: connectors.front: needs a moving trim"),
+        (
+            "rear: {type: tyre,",
+            "rod: {type: link, between: [frame, ground], ends: [[0, 0, 0], [0, 0, 0]]}\n  rear: {type: tyre,",
+            "car.yaml:13:3: connectors.rod: its two ends are at the same place: a line needs a length",
+        ),
+        (
+            "rear: {type: tyre,",
+            f"pin: {{type: rigid_point, {HERE}, forces: 1, axis: [0, 0, 0]}}\n  rear: {{type: tyre,",
+            "car.yaml:13:3: connectors.pin: its axis has no direction: all of its components are zero",
+        ),
+        (
+            "rear: {type: tyre,",
+            "pin: {type: rigid_point, between: [frame, ground], at: [0, 0, 0], forces: 3}\n  rear: {type: tyre,",
+            "connectors.pin: the trim motion violates this joint: its ends move relative to each other at 20 (m/s",
+        ),
+        (
+            "rear: {type: tyre,",
+            "rope: {type: spring, between: [frame, ground], ends: [[0, 0, 0], [5, 0, 0]]}\n  rear: {type: tyre,",
+            "car.yaml:13:3: connectors.rope: the trim motion violates this spring or damper",
+        ),
+    ],
+)
+def test_impossible_numbers_are_named_with_their_place(old: str, new: str, sentence: str) -> None:
+    assert sentence in refusal(old, new)
+
+
+def test_all_impossible_bodies_are_reported_at_once() -> None:
+    message = refusal("connectors:", "  other: {mass: -1, at: [0, 0, 0]}\nconnectors:").splitlines()
+    assert len(message) == 1
+    both = CAR.replace("mass: 1500", "mass: -1500").replace(
+        "connectors:", "  other: {mass: -1, at: [0, 0, 0]}\nconnectors:"
+    )
+    with pytest.raises(eom.DescriptionError) as caught:
+        eom.assemble(eom.loads(both))
+    assert [mistake.where for mistake in caught.value.mistakes] == ["bodies.frame", "bodies.other"]
+
+
+def test_missing_equilibrium_names_body_component_and_remainder() -> None:
+    message = refusal("carries: [z, roll, pitch]", "carries: [roll, pitch]", eom.EquilibriumError)
+    assert "car.yaml:9:3: bodies.frame: not in equilibrium: a force along z of -14715 N remains on frame" in message
+
+
+def test_a_tyre_carries_no_dead_load() -> None:
+    side = CAR + "loads:\n  wind: {body: frame, force: [0, 300, 0]}\n"
+    with pytest.raises(eom.EquilibriumError, match="a force along y of 300 N remains on frame"):
+        eom.assemble(eom.loads(side))
+
+
+def test_a_motion_without_mass_is_named() -> None:
+    message = refusal("inertia: {xx: 500, yy: 2000, zz: 2200}", "velocity: [20, 0, 0]", eom.SingularError)
+    assert "the motion frame.yaw_rate has no mass" in message
+
+
+def test_redundant_joints_are_named() -> None:
+    from eom.report.summary import summary
+
+    doubled = CAR + "  again: {type: support, body: frame, at: [1, 0, 0], carries: [z]}\n"
+    report = summary(eom.assemble(eom.loads(doubled)))
+    assert "constraints         4, rank 3, 1 redundant (plane with again)" in report
+
+
+def test_an_acceleration_that_would_need_an_inputs_rate_is_refused() -> None:
+    file = text("quarter_car").replace(
+        "sensors:", "sensors:\n  axle: {body: unsprung, along: [0, 0, 1], measure: acceleration}"
+    )
+    with pytest.raises(eom.OutputError, match="output axle would follow the rate of input road"):
+        eom.linearise(eom.loads(file))
