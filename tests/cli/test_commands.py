@@ -132,7 +132,8 @@ def test_help_imports_nothing_heavy() -> None:
         "from eom.cli import main\n"
         "try:\n    main()\n"
         "except SystemExit:\n    pass\n"
-        "print([name for name in ('numpy', 'scipy', 'pydantic', 'pint', 'matplotlib', 'jinja2') if name in sys.modules])"
+        "heavy = {'numpy', 'scipy', 'pydantic', 'pint', 'matplotlib', 'jinja2'}\n"
+        "print(sorted(heavy & set(sys.modules)))"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.splitlines()[-1] == "[]"

@@ -265,8 +265,7 @@ class _Displacements(NamedTuple):
         """Each body of unit i with its roll and the lateral displacement of its mass centre."""
         rolls = (self.sprung_roll[i], self.unsprung_roll[i])
         return [
-            (body, roll, self.point(i, body.x, body.z, roll))
-            for body, roll in zip(unit.bodies, rolls, strict=True)
+            (body, roll, self.point(i, body.x, body.z, roll)) for body, roll in zip(unit.bodies, rolls, strict=True)
         ]
 
     def whole_mass_centre(self, i: int, unit: Unit) -> FloatArray:
@@ -429,9 +428,7 @@ def _planar_outputs(names: Sequence[str]) -> list[str]:
     ]
 
 
-def _tridem_semitrailer(
-    name: str, suspension_stiffness: float, tyre_stiffness: float, cornering: float
-) -> Unit:
+def _tridem_semitrailer(name: str, suspension_stiffness: float, tyre_stiffness: float, cornering: float) -> Unit:
     return Unit(
         name,
         bodies=(
@@ -473,9 +470,7 @@ give the printed ones of the whole masses within 0.011 % (44 000.8 for 43 996 an
 B_TRAIN_WHOLE_MASS = TrainParameters(
     units=tuple(
         Unit(unit.name, (Body(unit.mass, x, i_zz),), unit.axles)
-        for unit, x, i_zz in zip(
-            B_TRAIN.units, (-1.999, -6.973, -6.973), (43_996.0, 490_940.0, 490_940.0), strict=True
-        )
+        for unit, x, i_zz in zip(B_TRAIN.units, (-1.999, -6.973, -6.973), (43_996.0, 490_940.0, 490_940.0), strict=True)
     ),
     hitches=(Hitch(x_ahead=-5.635), Hitch(x_ahead=-12.57)),
 )
