@@ -5,9 +5,9 @@ from dataclasses import dataclass
 from typing import cast
 
 from eom.vehicle.draft import ORIGIN, Draft, X, Y, Z
+from eom.vehicle.draft_signals import unit_mass
 from eom.vehicle.elements import GROUND, Connection, Vector
 from eom.vehicle.expression import PRECEDENCE, Binary, Call, Expression, Name, Number, python_text
-from eom.vehicle.signals import unit_mass
 
 WIDTH = 110
 BODY_FIELDS = ("body", "bodies", "frame")

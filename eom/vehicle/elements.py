@@ -2,8 +2,8 @@
 
 All positions are in the inertial axes at the trim (ISO 8855: x forward, y left, z up), all quantities in SI
 units. A connection measures the motion of its first body relative to its second one, along its directions;
-what acts through it pushes the first body along them and the second one the other way. Body ``-1`` is ground. A draft holds expressions in place of the
-numbers.
+what acts through it pushes the first body along them and the second one the other way. Body ``-1`` is ground.
+A draft holds expressions in place of the numbers.
 """
 
 from typing import NamedTuple

@@ -258,4 +258,3 @@ def python_text(expression: Expression, show_name: Callable[[str], str] = str, o
         case _:
             raise TypeError(expression)
     return f"({text})" if own < outer else text
-

@@ -70,9 +70,7 @@ def reflect(part: Part) -> Part:
     return part.model_copy(update=update)
 
 
-def with_mirror_images(
-    parts: Mapping[str, Part], report: Callable[[str, str], None]
-) -> dict[str, tuple[str, Part]]:
+def with_mirror_images(parts: Mapping[str, Part], report: Callable[[str, str], None]) -> dict[str, tuple[str, Part]]:
     """All parts with the mirror images that they ask for: name to (name in the file, part)."""
     result: dict[str, tuple[str, Part]] = {}
     for name, part in parts.items():

@@ -38,7 +38,7 @@ def parse_quantity(value: object, unit: str) -> Quantity:
     """A file's scalar as a quantity for a place that takes *unit*; ``ValueError`` with a sentence."""
     if isinstance(value, bool) or not isinstance(value, (int, float, str)):
         message = f"expected a number{in_unit(unit)}, 'number unit' or an expression, got {describe(value)}"
-        raise ValueError(message)
+        raise ValueError(message)  # noqa: TRY004  pydantic collects value errors alone
     if not isinstance(value, str):
         return Quantity(Number(finite(float(value), str(value))), unit)
     match = MEASURED.fullmatch(value)

@@ -59,9 +59,7 @@ class Registry:
                     f"expected {unit or 'a plain number'}",
                 )
 
-    def number(
-        self, quantity: Quantity, name: str, path: Path, scope: dict[str, Expression] | None = None
-    ) -> float:
+    def number(self, quantity: Quantity, name: str, path: Path, scope: dict[str, Expression] | None = None) -> float:
         """What stands for a quantity in the draft: a literal becomes the parameter *name*.
 
         Typed as the number that it will be once parameters have values.
@@ -94,7 +92,5 @@ class Registry:
         scope: dict[str, Expression] | None = None,
     ) -> Vector:
         """A direction: its literals are part of the structure and do not become parameters."""
-        x, y, z = (
-            cast("float", self.resolve(value, (*path, k), scope or {})) for k, value in enumerate(values)
-        )
+        x, y, z = (cast("float", self.resolve(value, (*path, k), scope or {})) for k, value in enumerate(values))
         return x, y, z

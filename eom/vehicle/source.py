@@ -8,6 +8,7 @@ import math
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from typing import NoReturn
 
 import yaml
 
@@ -71,7 +72,7 @@ def read_source(text: str, file: str) -> Source:
     return source
 
 
-def refuse(source: Source, what: str, line: int = 1, column: int = 1) -> None:
+def refuse(source: Source, what: str, line: int = 1, column: int = 1) -> NoReturn:
     """Raise the one mistake that makes reading on pointless."""
     raise DescriptionError([Mistake(source.file, line, column, "", what)])
 
@@ -80,7 +81,8 @@ def check_events(text: str, source: Source) -> None:
     """Bound depth and size before anything recursive sees the text, and refuse tags and several documents."""
     depth = count = documents = 0
     for event in yaml.parse(text, Loader=LOADER):
-        line, column = event.start_mark.line + 1, event.start_mark.column + 1
+        mark = event.start_mark
+        line, column = (mark.line + 1, mark.column + 1) if mark else (1, 1)
         if isinstance(event, yaml.DocumentStartEvent):
             documents += 1
             if documents > 1:
@@ -118,7 +120,7 @@ class Reader:
             return dict(self.entries(node, path))
         if isinstance(node, yaml.SequenceNode):
             return [self.plain(child, (*path, k)) for k, child in enumerate(node.value)]
-        return self.scalar(node, path)
+        return self.scalar(node, path) if isinstance(node, yaml.ScalarNode) else None
 
     def entries(self, node: yaml.MappingNode, path: Path) -> Iterator[tuple[str, Data]]:
         """Key and value pairs; the mark of each is its key's."""
@@ -149,9 +151,9 @@ class Reader:
 
     def scalar(self, node: yaml.ScalarNode, path: Path) -> Data:
         """A number, true, false, or text; everything else that YAML would guess stays text."""
-        text = node.value
+        text = str(node.value)
         if node.style in {"'", '"', "|", ">"}:
-            return str(text)
+            return text
         if LEADING_ZERO.match(text) and NUMBER.fullmatch(text):
             self.source.report(path, f"'{text}' has a leading zero, which YAML reads as octal: write it without")
             return 0.0
@@ -166,4 +168,4 @@ class Reader:
         if text in {"", "~", "null"}:
             self.source.report(path, "has no value")
             return None
-        return str(text)
+        return text

@@ -69,8 +69,8 @@ def look_up(name: str) -> tuple[float, Dimension]:
         message = f"unknown unit of measure '{name}'"
         raise ValueError(message) from None
     exponents = base._units  # noqa: SLF001  the only way to the exponents that evaluates no text
-    mass, length, time = (float(exponents.get(key, 0)) for key in ("gram", "meter", "second"))
-    return float(factor) / 1000.0**mass, (mass, length, time)
+    mass, length, time = (float(str(exponents.get(key, 0))) for key in ("gram", "meter", "second"))
+    return float(str(factor)) / 1000.0**mass, (mass, length, time)
 
 
 @cache
@@ -103,7 +103,13 @@ def parse_unit(text: str) -> tuple[float, Dimension]:
 
 
 def show_dimension(dimension: Dimension) -> str:
-    """A dimension in base units, for messages."""
-    pairs = zip(("kg", "m", "s"), dimension, strict=True)
-    text = "*".join(name if power == 1 else f"{name}^{power:g}" for name, power in pairs if power)
-    return text or "a plain number"
+    """A dimension in base units, such as ``kg*m^2/s^2``."""
+
+    def product(sign: float) -> str:
+        pairs = [(name, sign * power) for name, power in zip(("kg", "m", "s"), dimension, strict=True)]
+        return "*".join(name if power == 1 else f"{name}^{power:g}" for name, power in pairs if power > 0)
+
+    above, below = product(1.0), product(-1.0)
+    if not above and not below:
+        return "a plain number"
+    return f"{above or '1'}/{below}" if below else above

@@ -1,7 +1,7 @@
 """Plain data against the schema: every mistake as a sentence at its place, and what remains valid."""
 
 import difflib
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from functools import cache
 from typing import Any
 
@@ -49,65 +49,69 @@ def validate(source: Source) -> tuple[Description | None, frozenset[str]]:
 def file_path(location: tuple[str | int, ...], data: object) -> Path:
     """A pydantic location as a path in the file: without the names of the schema's alternatives."""
     path: list[str | int] = []
-    here = data
+    here: Any = data
     for k, step in enumerate(location):
-        if isinstance(here, dict) and step in here:
+        if contains(here, step):
             here = here[step]
-        elif isinstance(here, list) and isinstance(step, int) and step < len(here):
-            here = here[step]
-        elif k + 1 < len(location) or step == "[key]":
-            continue
-        elif isinstance(here, list) or (step not in alternatives()):
-            here = None
-        else:
+        elif k + 1 < len(location) or step == "[key]" or (isinstance(here, dict) and step in ALTERNATIVES):
             continue
         path.append(step)
     return tuple(path)
 
 
-def alternatives() -> frozenset[str]:
-    """Names that pydantic puts into locations for the alternatives of a union."""
-    return frozenset({"unit", "use", "down", "vector", "products", "tensor"})
+def contains(here: object, step: str | int) -> bool:
+    """Whether a step of a location leads on from here."""
+    if isinstance(here, list):
+        return isinstance(step, int) and step < len(here)
+    return isinstance(here, dict) and step in here
+
+
+# what pydantic puts into locations for the alternatives of a union
+ALTERNATIVES = frozenset({"unit", "use", "down", "vector", "products", "tensor"})
 
 
 def sentence(path: Path, item: ErrorDetails) -> tuple[Path, str]:
     """Where a schema error is reported, and the sentence that says it."""
-    context = item.get("ctx", {})
-    value = describe(item.get("input"))
-    last = str(path[-1]) if path else ""
-    match item["type"]:
-        case "missing":
-            if isinstance(path[-1], int):
-                return path[:-1], "has too few entries"
-            return path[:-1], f"needs '{last}'"
-        case "extra_forbidden":
-            return path, f"unknown key '{last}'{did_you_mean(last, vocabulary())}"
-        case "value_error":
-            return path, str(context["error"])
-        case "literal_error":
-            return path, f"expected {context['expected']}, got {value}"
-        case "bool_type":
-            return path, f"expected true or false, got {value}"
-        case "string_type":
-            return path, f"expected text, got {value}"
-        case "string_pattern_mismatch":
-            return path, f"{value} is no name: a letter, then letters, digits and underscores"
-        case "string_too_long":
-            return path, f"is longer than {context['max_length']} characters"
-        case "too_long" | "too_short":
-            return path, f"has {context['actual_length']} entries, expected {context.get('max_length', 'one or more')}"
-        case "union_tag_not_found":
-            return path, "needs 'type'"
-        case "union_tag_invalid":
-            known = context["expected_tags"].replace("'", "").split(", ")
-            guess = did_you_mean(context["tag"], known)
-            return path, f"unknown type '{context['tag']}', expected one of {', '.join(known)}{guess}"
-        case "dict_type" | "model_type" | "model_attributes_type":
-            return path, f"expected a mapping of keys, got {value}"
-        case "tuple_type" | "list_type":
-            return path, f"expected a list, got {value}"
-        case _:
-            return path, f"{item['msg'][0].lower()}{item['msg'][1:]}, got {value}"
+    kind, last = item["type"], path[-1] if path else ""
+    if kind == "missing":
+        return path[:-1], "has too few entries" if isinstance(last, int) else f"needs '{last}'"
+    if kind == "extra_forbidden":
+        return path, f"unknown key '{last}'{did_you_mean(str(last), vocabulary())}"
+    say = SENTENCES.get(kind)
+    came = describe(item.get("input"))
+    return path, say(item.get("ctx", {}), came) if say else f"{item['msg'][0].lower()}{item['msg'][1:]}, got {came}"
+
+
+def unknown_type(context: dict[str, Any], _: str) -> str:
+    """The sentence for a connector of a type that does not exist."""
+    known = context["expected_tags"].replace("'", "").split(", ")
+    guess = did_you_mean(context["tag"], known)
+    return f"unknown type '{context['tag']}', expected one of {', '.join(known)}{guess}"
+
+
+def wrong_length(context: dict[str, Any], _: str) -> str:
+    """The sentence for a list with too many or too few entries."""
+    return f"has {context['actual_length']} entries, expected {context.get('max_length', 'one or more')}"
+
+
+# per kind of pydantic error: its sentence from pydantic's context and from what came
+SENTENCES: dict[str, Callable[[dict[str, Any], str], str]] = {
+    "value_error": lambda context, _: str(context["error"]),
+    "literal_error": lambda context, came: f"expected {context['expected']}, got {came}",
+    "bool_type": lambda _, came: f"expected true or false, got {came}",
+    "string_type": lambda _, came: f"expected text, got {came}",
+    "string_pattern_mismatch": lambda _, came: f"{came} is no name: a letter, then letters, digits, underscores",
+    "string_too_long": lambda context, _: f"is longer than {context['max_length']} characters",
+    "too_long": wrong_length,
+    "too_short": wrong_length,
+    "union_tag_not_found": lambda _, __: "needs 'type'",
+    "union_tag_invalid": unknown_type,
+    "dict_type": lambda _, came: f"expected a mapping of keys, got {came}",
+    "model_type": lambda _, came: f"expected a mapping of keys, got {came}",
+    "model_attributes_type": lambda _, came: f"expected a mapping of keys, got {came}",
+    "tuple_type": lambda _, came: f"expected a list, got {came}",
+    "list_type": lambda _, came: f"expected a list, got {came}",
+}
 
 
 @cache

@@ -1,7 +1,6 @@
 """Inputs and outputs: those that follow from the train by role, and the file's actuators and sensors."""
 
 from collections.abc import Iterable
-from typing import cast
 
 from eom.vehicle import parts
 from eom.vehicle.draft import ONE, ORIGIN, ZERO, Draft, UnitDraft, X, Y, Z
@@ -92,27 +91,23 @@ def draft_actuator(draft: Draft, name: str, item: parts.Actuator, path: Path) ->
     connection = signal_connection(draft, name, item, (body, reaction), path)
     gain = ONE if item.gain is None else registry.number(item.gain, f"{name}.gain", (*path, "gain"))
     rate_gain = (
-        ZERO
-        if item.rate_gain is None
-        else registry.number(item.rate_gain, f"{name}.rate_gain", (*path, "rate_gain"))
+        ZERO if item.rate_gain is None else registry.number(item.rate_gain, f"{name}.rate_gain", (*path, "rate_gain"))
     )
     default = "N" if item.along is not None else "N*m"
     unit = item.unit or ("" if item.gain is not None or item.rate_gain is not None else default)
     draft.inputs.append(Input(name, unit, connection, (gain,), (rate_gain,)))
 
 
-def signal_connection(
-    draft: Draft, name: str, item: parts.Signal, bodies: tuple[int, int], path: Path
-) -> Connection:
+def signal_connection(draft: Draft, name: str, item: parts.Signal, bodies: tuple[int, int], path: Path) -> Connection:
     """The one-directional connection of an actuator or sensor."""
     place = ORIGIN if bodies[0] == GROUND else draft.bodies[bodies[0]].centre
     if item.at is not None:
         place = draft.registry.place(item.at, f"{name}.at", (*path, "at"))
-    if item.along is not None:
-        axis = draft.registry.axis(item.along, (*path, "along"))
-        return draft.connection(name, bodies, place, forces=1, force_axis=axis)
-    axis = draft.registry.axis(item.about or cast("parts.Axis", ()), (*path, "about"))
-    return draft.connection(name, bodies, place, moments=1, moment_axis=axis)
+    if item.about is not None:
+        axis = draft.registry.axis(item.about, (*path, "about"))
+        return draft.connection(name, bodies, place, moments=1, moment_axis=axis)
+    axis = Z if item.along is None else draft.registry.axis(item.along, (*path, "along"))
+    return draft.connection(name, bodies, place, forces=1, force_axis=axis)
 
 
 def draft_sensor(draft: Draft, name: str, item: parts.Sensor, path: Path) -> None:

@@ -4,6 +4,7 @@ from typing import cast
 
 from eom.vehicle.description import Description
 from eom.vehicle.draft import (
+    ONE,
     ORIGIN,
     ZERO,
     Draft,
@@ -15,17 +16,14 @@ from eom.vehicle.draft import (
     Z,
     add,
     carried_directions,
-    draft_body,
-    draft_connector,
-    draft_support,
-    draft_tyre,
-    find_tyre,
     subtract,
 )
+from eom.vehicle.draft_connectors import draft_connector, draft_support, draft_tyre, find_tyre
+from eom.vehicle.draft_parts import draft_body
+from eom.vehicle.draft_signals import along, draft_train_outputs
 from eom.vehicle.elements import GROUND, Connection, Constraint, Elastic, Input, Vector
 from eom.vehicle.expression import Expression, Name
 from eom.vehicle.mirror import with_mirror_images
-from eom.vehicle.signals import ONE, along, draft_train_outputs
 from eom.vehicle.source import Path
 from eom.vehicle.train import Coupling, Suspension, Unit, UnitUse, argument_name
 from eom.vehicle.validate import did_you_mean
@@ -59,9 +57,7 @@ def draft_train(draft: Draft, description: Description) -> None:
         draft_train_outputs(draft, dict.fromkeys(rolling), fronts[0] if fronts else None)
 
 
-def resolve_use(
-    draft: Draft, description: Description, name: str, item: Unit | UnitUse
-) -> tuple[Unit, Scope, Path]:
+def resolve_use(draft: Draft, description: Description, name: str, item: Unit | UnitUse) -> tuple[Unit, Scope, Path]:
     """A unit's own description, or its template with the arguments that it is used with."""
     if isinstance(item, Unit):
         return item, {}, ("units", name)
@@ -89,9 +85,7 @@ def resolve_use(
     return template, scope, ("templates", item.use)
 
 
-def coupling_places(
-    draft: Draft, description: Description, order: list[str]
-) -> dict[str, tuple[Vector, Vector]]:
+def coupling_places(draft: Draft, description: Description, order: list[str]) -> dict[str, tuple[Vector, Vector]]:
     """Per following unit its coupling's place in the frame of the unit ahead and in its own frame."""
     registry = draft.registry
     places: dict[str, tuple[Vector, Vector]] = {}
@@ -130,7 +124,7 @@ def draft_unit_bodies(draft: Draft, name: str, unit: Unit, unit_draft: UnitDraft
     images = with_mirror_images(unit.bodies, lambda key, what: draft.registry.report((*path, key), what))
     for key, (written, body) in images.items():
         unit_draft.bodies[key] = len(draft.bodies)
-        draft_body(draft, f"{name}_{key}", body, (*path, written), unit_draft.origin, unit_draft.scope)
+        draft_body(draft, f"{name}_{key}", body, (*path, written), Site(unit_draft.origin, scope=unit_draft.scope))
     draft.units.append(unit_draft)
 
 
@@ -163,9 +157,7 @@ def draft_axle_group(draft: Draft, unit_draft: UnitDraft, key: str, unit: Unit, 
         place = registry.place(group.support.at, f"{name}.support.at", (*path, "support", "at"), scope)
         draft_support(draft, name, body, add(unit_draft.origin, place), ("z",))
     if group.roll_stiffness is not None:
-        stiffness = registry.number(
-            group.roll_stiffness, f"{name}.roll_stiffness", (*path, "roll_stiffness"), scope
-        )
+        stiffness = registry.number(group.roll_stiffness, f"{name}.roll_stiffness", (*path, "roll_stiffness"), scope)
         centre = draft.bodies[body].centre if body != GROUND else ORIGIN
         connection = draft.connection(f"{name}.tyres", (body, GROUND), centre, moments=1, moment_axis=X)
         draft.elastic.append(Elastic(connection, (ZERO, stiffness), (ZERO, ZERO)))
@@ -213,17 +205,13 @@ def draft_axle(
 def roll_axis_height(draft: Draft, unit_draft: UnitDraft, key: str, item: Suspension) -> float:
     """Height of a suspension's roll axis above the ground."""
     name, path = f"{unit_draft.name}_{key}.roll_axis.height", (*unit_draft.path, "suspensions", key)
-    return draft.registry.number(
-        item.roll_axis.height, name, (*path, "roll_axis", "height"), unit_draft.scope
-    )
+    return draft.registry.number(item.roll_axis.height, name, (*path, "roll_axis", "height"), unit_draft.scope)
 
 
 def suspension_bodies(draft: Draft, unit_draft: UnitDraft, key: str, item: Suspension) -> tuple[int, int]:
     """Numbers of the sprung and the unsprung body."""
     path = (*unit_draft.path, "suspensions", key, "between")
-    sprung, unsprung = (
-        draft.body(name, (*path, k), unit_draft.bodies) for k, name in enumerate(item.between)
-    )
+    sprung, unsprung = (draft.body(name, (*path, k), unit_draft.bodies) for k, name in enumerate(item.between))
     return sprung, unsprung
 
 
@@ -281,9 +269,7 @@ def yaw_moments(draft: Draft, units: list[Unit]) -> list[Input]:
     return inputs
 
 
-def draft_coupling(
-    draft: Draft, name: str, item: Coupling, places: dict[str, tuple[Vector, Vector]]
-) -> None:
+def draft_coupling(draft: Draft, name: str, item: Coupling, places: dict[str, tuple[Vector, Vector]]) -> None:
     """Add a coupling: what it locks, and its roll stiffness and damping. The first body is the towed one."""
     path: Path = ("couplings", name)
     by_name = {unit.name: unit for unit in draft.units}
@@ -324,4 +310,3 @@ def draft_coupling(
         )
         roll = draft.connection(f"{name}.roll", pair, place, moments=1, moment_axis=X)
         draft.elastic.append(Elastic(roll, (ZERO, k), (ZERO, c)))
-

@@ -1,0 +1,118 @@
+"""Values for a draft's parameters: overrides, order of computation, bounds, and the system with numbers."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any, cast
+
+from eom.vehicle.draft import Draft
+from eom.vehicle.expression import Expression, Number, evaluate, names
+from eom.vehicle.quantity import parse_quantity
+from eom.vehicle.registry import Live, Registry
+from eom.vehicle.source import Path, Source
+from eom.vehicle.validate import did_you_mean
+
+
+def override(registry: Registry, overrides: Mapping[str, str | float]) -> list[str]:
+    """Replace the values of named parameters; what cannot be replaced is returned as sentences."""
+    mistakes = []
+    for name, value in overrides.items():
+        live = registry.parameters.get(name)
+        if live is None:
+            guess = did_you_mean(name, registry.parameters)
+            mistakes.append(f"cannot set '{name}': there is no such parameter{guess}")
+            continue
+        try:
+            quantity = parse_quantity(value, live.unit)
+            if live.unit == "*" and None not in {live.dimension, quantity.dimension}:
+                check_same(live, quantity.dimension, value)
+            for needed in names(quantity.expression):
+                check_known(needed, registry)
+        except ValueError as error:
+            mistakes.append(f"cannot set '{name}': {error}")
+            continue
+        registry.parameters[name] = replace(live, default=quantity.expression)
+    return mistakes
+
+
+def check_known(name: str, registry: Registry) -> None:
+    """An override's expression may refer to the file's parameters."""
+    if name not in registry.parameters:
+        message = f"unknown parameter '{name}'{did_you_mean(name, registry.parameters)}"
+        raise ValueError(message)
+
+
+def check_same(live: Live, dimension: object, value: object) -> None:
+    """An override must have the dimension of the value that it replaces."""
+    if dimension != live.dimension:
+        message = f"'{value}' has another dimension than the file's value"
+        raise ValueError(message)
+
+
+def parameter_values(registry: Registry, source: Source) -> dict[str, float]:
+    """Values of all parameters, each after those that it is computed from; cycles and bounds are reported."""
+    values: dict[str, float] = {}
+    state: dict[str, str] = {}
+
+    def settle(name: str, trail: tuple[str, ...]) -> None:
+        live = registry.parameters[name]
+        if state.get(name) == "open":
+            ring = " -> ".join((*trail[trail.index(name) :], name))
+            source.report(live.path, f"is computed from itself: {ring}")
+            return
+        if name in state:
+            return
+        state[name] = "open"
+        for needed in names(live.default):
+            if needed in registry.parameters:
+                settle(needed, (*trail, name))
+        state[name] = "done"
+        if all(needed in values for needed in names(live.default)):
+            try:
+                values[name] = evaluate(live.default, values)
+            except ValueError as error:
+                source.report(live.path, str(error))
+
+    for name in registry.parameters:
+        settle(name, ())
+    for name, live in registry.parameters.items():
+        check_bounds(name, live, values, source)
+    return values
+
+
+def check_bounds(name: str, live: Live, values: Mapping[str, float], source: Source) -> None:
+    """Report a value outside its bounds."""
+    for bound, word, sign in ((live.minimum, "least", -1.0), (live.maximum, "most", 1.0)):
+        if bound is None or name not in values or any(needed not in values for needed in names(bound)):
+            continue
+        try:
+            limit = evaluate(bound, values)
+        except ValueError as error:
+            source.report(live.path, str(error))
+            continue
+        if sign * (values[name] - limit) > 0.0:
+            source.report(live.path, f"is {values[name]:g}, but at {word} {limit:g} is allowed (SI units)")
+
+
+def numbers(item: object, values: Mapping[str, float], draft: Draft, source: Source, owner: str = "") -> object:
+    """The same structure with every expression evaluated; failures are reported at the object they belong to."""
+    if isinstance(item, Expression):
+        try:
+            return evaluate(item, values)
+        except ValueError as error:
+            path: Path = draft.names.get(owner.split(".", maxsplit=1)[0], ())
+            source.report(path, AT_REST if stands_still(item, draft, values) else str(error))
+            return 0.0
+    if isinstance(item, tuple):
+        own = getattr(item, "name", "") or getattr(getattr(item, "connection", None), "name", "") or owner
+        parts: list[Any] = [numbers(part, values, draft, source, own) for part in item]
+        return type(item)(*parts) if hasattr(item, "_fields") else tuple(parts)
+    return item
+
+
+AT_REST = "needs a moving trim: slip and sideslip are angles against the trim speed, which is zero"
+
+
+def stands_still(expression: Expression, draft: Draft, values: Mapping[str, float]) -> bool:
+    """Whether an expression has to do with a trim speed that is zero."""
+    speed = cast("Expression", draft.speed)
+    return evaluate(speed, values) == 0.0 and (isinstance(speed, Number) or set(names(speed)) <= set(names(expression)))
