@@ -15,7 +15,7 @@ from eom.vehicle.registry import Registry
 
 def make_draft(description: Description, broken: frozenset[str]) -> Draft:
     """The draft of a description; mistakes are left in its registry."""
-    registry = Registry(broken=broken)
+    registry = Registry(broken=set(broken))
     declare_parameters(registry, description)
     trim = description.trim
     speed = ZERO if trim is None else registry.number(trim.speed, "trim.speed", ("trim", "speed"))

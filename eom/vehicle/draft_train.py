@@ -53,7 +53,7 @@ def draft_train(draft: Draft, description: Description) -> None:
         for signal in roll_moments(draft, unit_draft, unit)
     ]
     draft.inputs += [*moments, *yaw_moments(draft, [unit for unit, _, _ in units.values()])]
-    if draft.units:
+    if draft.units and all(unit.bodies for unit in draft.units):
         draft_train_outputs(draft, dict.fromkeys(rolling), fronts[0] if fronts else None)
 
 
@@ -71,6 +71,7 @@ def resolve_use(draft: Draft, description: Description, name: str, item: Unit | 
     for need in template.needs:
         if need not in item.with_:
             registry.report((*path, "with"), f"needs '{need}', which the template '{item.use}' asks for")
+            registry.broken.add(need)
     scope: Scope = {}
     for key, quantity in item.with_.items():
         here = (*path, "with", key)

@@ -200,10 +200,22 @@ def evaluate(expression: Expression, values: Mapping[str, float]) -> float:
     except OverflowError:
         message = f"{python_text(expression)} is too large"
         raise ValueError(message) from None
-    if isinstance(result, complex) or not math.isfinite(result):
+    except ValueError as error:
+        message = f"{python_text(expression)} has no value: {error}"
+        raise ValueError(message) from None
+    if not math.isfinite(result):
         message = f"{python_text(expression)} is not a finite real number"
         raise ValueError(message)
     return result
+
+
+def real_power(a: float, b: float) -> float:
+    """A to the power b; ``ValueError`` where it is not real."""
+    result = a**b
+    if isinstance(result, complex):
+        message = f"{a:g} ** {b:g} is not a real number"
+        raise ValueError(message)  # noqa: TRY004  the value is at fault, not its type
+    return float(result)
 
 
 def compute(expression: Expression, values: Mapping[str, float]) -> float:
@@ -229,7 +241,7 @@ def compute(expression: Expression, values: Mapping[str, float]) -> float:
                 case "/":
                     return a / b
                 case _:
-                    return float(a**b)
+                    return real_power(a, b)
     raise TypeError(expression)
 
 

@@ -14,7 +14,7 @@ from eom.vehicle.elements import System
 from eom.vehicle.expression import evaluate
 from eom.vehicle.source import Source, read_source
 from eom.vehicle.validate import validate
-from eom.vehicle.values import numbers, override, parameter_values
+from eom.vehicle.values import check_expressions, numbers, override, parameter_values
 
 
 @dataclass(frozen=True)
@@ -93,6 +93,7 @@ def loads(text: str | bytes, file: str = "<text>", **overrides: str | float) -> 
     for where, what in draft.registry.mistakes:
         source.report(where, what)
     values = parameter_values(draft.registry, source)
+    check_expressions(draft.registry, values, source)
     if source.mistakes:
         raise DescriptionError(source.mistakes)
     system = numbers(draft.system(), values, draft, source)

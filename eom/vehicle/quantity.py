@@ -46,10 +46,7 @@ def parse_quantity(value: object, unit: str) -> Quantity:
         return Quantity(parse(value), unit)
     factor, dimension = parse_unit(match[2])
     if unit != "*" and dimension != parse_unit(unit)[1]:
-        message = (
-            f"'{shorten(value)}' is in {show_dimension(dimension)}, expected {unit or 'a plain number'}"
-            f"{f' ({show_dimension(parse_unit(unit)[1])})' if unit else ''}"
-        )
+        message = f"'{shorten(value)}' is in {show_dimension(dimension)}, expected {unit or 'a plain number'}"
         raise ValueError(message)
     return Quantity(Number(finite(float(match[1]) * factor, value)), unit, dimension)
 

@@ -28,11 +28,15 @@ class Live:
 
 @dataclass
 class Registry:
-    """Collects live numbers and the mistakes made in referring to them."""
+    """Collects live numbers, the expressions made of them, and the mistakes made in referring to them.
+
+    Names in ``broken`` belong to parts left out because of mistakes: referring to them is no further one.
+    """
 
     parameters: dict[str, Live] = field(default_factory=dict)
     mistakes: list[tuple[Path, str]] = field(default_factory=list)
-    broken: frozenset[str] = frozenset()
+    broken: set[str] = field(default_factory=set)
+    expressions: list[tuple[Expression, Path]] = field(default_factory=list)
 
     def report(self, path: Path, what: str) -> None:
         """Note a mistake at a path of the file."""
@@ -46,6 +50,7 @@ class Registry:
                 known = [key for key in (*self.parameters, *scope) if "." not in key]
                 self.report(path, f"unknown parameter '{name}'{did_you_mean(name, known)}")
         self.check_dimension(expression, quantity.unit, path)
+        self.expressions.append((expression, path))
         return expression
 
     def check_dimension(self, expression: Expression, unit: str, path: Path) -> None:

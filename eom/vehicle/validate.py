@@ -1,7 +1,7 @@
 """Plain data against the schema: every mistake as a sentence at its place, and what remains valid."""
 
 import difflib
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection
 from functools import cache
 from typing import Any
 
@@ -16,8 +16,10 @@ COLLECTIONS = ("bodies", "connectors", "loads", "actuators", "sensors", "tyres",
 MAX_ROUNDS = 50
 
 
-def did_you_mean(name: str, known: Iterable[str]) -> str:
+def did_you_mean(name: str, known: Collection[str]) -> str:
     """A suggestion to add to a message, empty if nothing known is close."""
+    if name in known:
+        return ""
     by_lower_case = {key.lower(): key for key in sorted(known)}
     close = difflib.get_close_matches(name.lower(), by_lower_case, n=1, cutoff=0.6)
     return f"; did you mean '{by_lower_case[close[0]]}'?" if close else ""
@@ -38,12 +40,20 @@ def validate(source: Source) -> tuple[Description | None, frozenset[str]]:
             # the whole round first, as leaving out one part would hide the others' places
             found = [(file_path(item["loc"], data), item) for item in error.errors(include_url=False)]
             for path, item in found:
-                # a collection that is empty only because its parts were left out is no further mistake
-                if item["type"] != "too_short" or path not in emptied:
+                if not is_consequence(path, item, emptied):
                     source.report(*sentence(path, item))
             for path, item in found:
                 emptied.add(leave_out(data, path, item["type"], broken))
     return None, frozenset(broken)
+
+
+def is_consequence(path: Path, item: ErrorDetails, emptied: set[Path]) -> bool:
+    """Whether an error follows from one that is reported already.
+
+    A key without a value is, and a collection that is empty only because its parts were left out.
+    """
+    without_value = item.get("input") is None and item["type"] != "missing"
+    return without_value or (item["type"] == "too_short" and path in emptied)
 
 
 def file_path(location: tuple[str | int, ...], data: object) -> Path:
@@ -74,7 +84,8 @@ def sentence(path: Path, item: ErrorDetails) -> tuple[Path, str]:
     """Where a schema error is reported, and the sentence that says it."""
     kind, last = item["type"], path[-1] if path else ""
     if kind == "missing":
-        return path[:-1], "has too few entries" if isinstance(last, int) else f"needs '{last}'"
+        count = len(item.get("input") or ())
+        return path[:-1], f"has only {count} entries" if isinstance(last, int) else f"needs '{last}'"
     if kind == "extra_forbidden":
         return path, f"unknown key '{last}'{did_you_mean(str(last), vocabulary())}"
     say = SENTENCES.get(kind)

@@ -5,7 +5,7 @@ from dataclasses import replace
 from typing import Any, cast
 
 from eom.vehicle.draft import Draft
-from eom.vehicle.expression import Expression, Number, evaluate, names
+from eom.vehicle.expression import Expression, evaluate, names
 from eom.vehicle.quantity import parse_quantity
 from eom.vehicle.registry import Live, Registry
 from eom.vehicle.source import Path, Source
@@ -93,14 +93,25 @@ def check_bounds(name: str, live: Live, values: Mapping[str, float], source: Sou
             source.report(live.path, f"is {values[name]:g}, but at {word} {limit:g} is allowed (SI units)")
 
 
+def check_expressions(registry: Registry, values: Mapping[str, float], source: Source) -> None:
+    """Report, where it stands, every expression that has no value."""
+    for expression, path in registry.expressions:
+        if path and all(name in values for name in names(expression)):
+            try:
+                evaluate(expression, values)
+            except ValueError as error:
+                source.report(path, str(error))
+
+
 def numbers(item: object, values: Mapping[str, float], draft: Draft, source: Source, owner: str = "") -> object:
-    """The same structure with every expression evaluated; failures are reported at the object they belong to."""
+    """The same structure with every expression evaluated; a slip at zero speed is reported at its object."""
     if isinstance(item, Expression):
         try:
             return evaluate(item, values)
         except ValueError as error:
             path: Path = draft.names.get(owner.split(".", maxsplit=1)[0], ())
-            source.report(path, AT_REST if stands_still(item, draft, values) else str(error))
+            at_rest = evaluate(cast("Expression", draft.speed), values) == 0.0
+            source.report(path, AT_REST if at_rest else str(error))
             return 0.0
     if isinstance(item, tuple):
         own = getattr(item, "name", "") or getattr(getattr(item, "connection", None), "name", "") or owner
@@ -110,9 +121,3 @@ def numbers(item: object, values: Mapping[str, float], draft: Draft, source: Sou
 
 
 AT_REST = "needs a moving trim: slip and sideslip are angles against the trim speed, which is zero"
-
-
-def stands_still(expression: Expression, draft: Draft, values: Mapping[str, float]) -> bool:
-    """Whether an expression has to do with a trim speed that is zero."""
-    speed = cast("Expression", draft.speed)
-    return evaluate(speed, values) == 0.0 and (isinstance(speed, Number) or set(names(speed)) <= set(names(expression)))
