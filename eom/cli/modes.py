@@ -1,6 +1,7 @@
 """``eom modes``."""
 
 import re
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -8,10 +9,13 @@ import typer
 
 from eom.cli.settings import UsageError, load_with
 from eom.model.linear import linearise
+from eom.model.modes import Modes
 from eom.report.modes import mode_table, plot_sweep, sweep_table, write_sweep
 
 SWEEP = re.compile(r"\s*([A-Za-z][\w.]*)\s*=\s*([^:]+):([^:]+):\s*([-+\d.eE]+)\s*(.*?)\s*")
 MAX_STEPS = 10_000
+# sweeps longer than about two seconds show their progress
+MANY = 100
 
 
 def run_modes(file: Path, settings: list[str]) -> None:
@@ -39,17 +43,27 @@ def parse_sweep(text: str) -> tuple[str, list[float], str]:
 
 
 def run_sweep(file: Path, settings: list[str], sweep: str, out: Path) -> None:
-    """Modes over a parameter: a table, all roots as CSV, and a picture of the locus."""
+    """Modes over a parameter: a table, all roots as CSV, and a picture of the locus.
+
+    An interrupt ends the sweep; what was computed until then is kept.
+    """
     name, values, unit = parse_sweep(sweep)
-    results = []
-    with typer.progressbar(values, label=f"{name}", file=None, hidden=len(values) < 100) as progress:
-        for value in progress:
-            vehicle = load_with(file, settings, **{name: f"{value!r} {unit}" if unit else value})
-            results.append(linearise(vehicle).modes())
-    typer.echo(sweep_table(name, unit, values, results))
+    results: list[Modes] = []
+    title = ""
+    try:
+        with typer.progressbar(values, label=name, hidden=len(values) < MANY, file=sys.stderr) as progress:
+            for value in progress:
+                vehicle = load_with(file, settings, **{name: f"{value!r} {unit}" if unit else value})
+                results.append(linearise(vehicle).modes())
+                title = f"{vehicle.name}: root locus"
+    except KeyboardInterrupt:
+        if not results:
+            raise
+        typer.echo(f"interrupted after {len(results)} of {len(values)} values", err=True)
+    done = values[: len(results)]
+    typer.echo(sweep_table(name, unit, done, results))
     out.mkdir(parents=True, exist_ok=True)
     stem = out / f"{file.stem}_{name.replace('.', '_')}"
-    write_sweep(stem.with_suffix(".csv"), name, unit, values, results)
-    label = f"{name} [{unit}]" if unit else name
-    plot_sweep(stem.with_suffix(".png"), f"{vehicle.name}: root locus", label, values, results)
+    write_sweep(stem.with_suffix(".csv"), name, unit, done, results)
+    plot_sweep(stem.with_suffix(".png"), title, f"{name} [{unit}]" if unit else name, done, results)
     typer.echo(f"\nroots  {stem.with_suffix('.csv')}\nlocus  {stem.with_suffix('.png')}")

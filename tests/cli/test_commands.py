@@ -95,6 +95,26 @@ def test_a_sweep_prints_a_table_and_writes_roots_and_a_picture(
     assert (tmp_path / "bicycle_U.png").read_bytes().startswith(b"\x89PNG")
 
 
+def test_an_interrupted_sweep_keeps_what_it_has(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    import eom.cli.modes
+
+    calls = iter(range(100))
+
+    def interrupted(car: eom.Vehicle) -> eom.LinearModel:
+        if next(calls) == 3:
+            raise KeyboardInterrupt
+        return eom.linearise(car)
+
+    monkeypatch.setattr(eom.cli.modes, "linearise", interrupted)
+    assert run(monkeypatch, "modes", FOLDER / "disc.yaml", "--sweep", "U=1:9:1", "--out", tmp_path) == 0
+    captured = capsys.readouterr()
+    assert "interrupted after 3 of 9 values" in captured.err
+    with (tmp_path / "disc_U.csv").open() as table:
+        assert len(list(csv.reader(table))) == 1 + 3 * 8
+
+
 def test_schema_is_valid_json_with_the_files_keys(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
