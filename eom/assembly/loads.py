@@ -20,12 +20,12 @@ def with_weight(bodies: Sequence[Body], loads: Sequence[Load], gravity: Vector) 
     return [*loads, *weights]
 
 
-def load_vector(bodies: Sequence[Body], loads: Sequence[Load]) -> Array:
-    """Resultant force and moment about each centre of mass, shape (6 n,) [N, N m]."""
-    f = np.zeros(6 * len(bodies))
-    for load in loads:
+def load_resultants(bodies: Sequence[Body], loads: Sequence[Load]) -> Array:
+    """Force and moment about the loaded body's centre of mass of each load, shape (loads, 6 n) [N, N m]."""
+    f = np.zeros((len(loads), 6 * len(bodies)))
+    for row, load in zip(f, loads, strict=True):
         r = np.subtract(load.place, bodies[load.body].centre)
-        f[six(load.body)] += np.concatenate([load.force, np.cross(r, load.force) + np.asarray(load.moment)])
+        row[six(load.body)] = np.concatenate([load.force, np.cross(r, load.force) + np.asarray(load.moment)])
     return f
 
 

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from eom.assembly.inertia import kinematic_matrix, mass_matrix, momentum_matrix
-from eom.assembly.loads import load_stiffness, load_vector, with_weight
+from eom.assembly.loads import load_resultants, load_stiffness, with_weight
 from eom.assembly.rows import rows, stack
 from eom.assembly.statics import Statics, elastic_coefficients, equilibrium
 from eom.assembly.tangent import tangent_stiffness
@@ -110,8 +110,9 @@ def assemble_matrices(system: System) -> Matrices:
     V = kinematic_matrix(bodies)
     k, c = elastic_coefficients(system.elastic, "stiffness"), elastic_coefficients(system.elastic, "damping")
     loads = with_weight(bodies, system.loads, system.gravity)
-    f = load_vector(bodies, loads)
-    statics = equilibrium(bodies, J, H, k, f)
+    resultants = load_resultants(bodies, loads)
+    f = np.sum(resultants, axis=0)
+    statics = equilibrium(bodies, J, H, k, resultants)
     carried = [
         *split(statics.reactions, [len(rows(bodies, item)) for item in joints]),
         *split(statics.tensions, [len(rows(bodies, item)) for item in springs]),

@@ -6,6 +6,7 @@ import numpy as np
 
 from eom.assembly.matrices import Matrices
 from eom.assembly.reduction import (
+    CYCLIC_TOLERANCE,
     Pivots,
     Reduction,
     complement,
@@ -104,11 +105,10 @@ def closed(system: System, reduction: Reduction, drift: Array, motions: list[int
     """Those of the motions that only lead into one another (heading into sideways position)."""
     while motions:
         G = basis(system, reduction, motions)
-        inside = G @ np.linalg.lstsq(G, drift @ G, rcond=None)[0]
-        leaving = [
-            motion for k, motion in enumerate(motions) if not is_negligible((drift @ G - inside)[:, [k]], drift, G)
-        ]
-        if not leaving:
+        outside = drift @ G - G @ np.linalg.lstsq(G, drift @ G, rcond=None)[0]
+        limit = CYCLIC_TOLERANCE * float(np.max(np.abs(drift))) * float(np.max(np.abs(G)))
+        staying = [motion for k, motion in enumerate(motions) if np.max(np.abs(outside[:, k])) <= limit]
+        if staying == motions:
             break
-        motions = [motion for motion in motions if motion not in leaving]
+        motions = staying
     return tuple(motions)

@@ -99,7 +99,12 @@ def reduce_coordinates(matrices: Matrices, pivots: Pivots) -> Reduction:
     if pivots.rolling_dependent:
         lost = list(pivots.rolling_dependent)
         Z -= T[:, lost] @ np.linalg.solve((Jn @ T)[:, lost], Jn @ Z)
-    return Reduction(T, T @ Tn, Z, independent, independent[kept])
+    W = T @ Tn
+    # a rolling row that depends on the joints is left out above: it must hold by itself
+    if np.any(np.abs(matrices.Jn @ Z) > PIVOT_TOLERANCE * (np.abs(matrices.Jn) @ np.abs(Z) + np.max(np.abs(Z), initial=0.0))):
+        message = "a rolling condition contradicts the joints: they let it hold only at one displacement"
+        raise ValueError(message)
+    return Reduction(T, W, Z, independent, independent[kept])
 
 
 def massless_motion(matrices: Matrices, reduction: Reduction) -> int | None:
@@ -149,8 +154,13 @@ def state_matrix(matrices: Matrices, reduction: Reduction) -> tuple[Array, Array
 
 def cyclic_basis(bodies: Sequence[Body], reduction: Reduction, pivots: Pivots) -> Array:
     """Cyclic motions in q, shape (q, cyclic), each one moving its own cyclic coordinate by one."""
-    motions = [cyclic_motion(bodies, motion)[reduction.independent] for motion in pivots.cyclic_motions]
-    basis = np.array(motions).T
+    basis = np.zeros((len(reduction.independent), len(pivots.cyclic)))
+    for k, (motion, coordinate) in enumerate(zip(pivots.cyclic_motions, pivots.cyclic, strict=True)):
+        if motion >= 6 and not np.any(bodies[motion - 6].spin):
+            # a wheel at rest has no spin to tell its axis: its coordinate does
+            basis[coordinate, k] = 1.0
+        else:
+            basis[:, k] = cyclic_motion(bodies, motion)[reduction.independent]
     return basis @ np.linalg.inv(basis[list(pivots.cyclic)])
 
 

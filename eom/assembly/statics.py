@@ -57,13 +57,13 @@ def length_scales(bodies: Sequence[Body]) -> Array:
     return np.tile([1.0, 1.0, 1.0, size, size, size], len(bodies))
 
 
-def equilibrium(bodies: Sequence[Body], J: Array, H: Array, stiffness: Array, f: Array) -> Statics:
-    """Solve f + J' reactions + H' tensions = 0 for rows that can carry load.
+def equilibrium(bodies: Sequence[Body], J: Array, H: Array, stiffness: Array, loads: Array) -> Statics:
+    """Solve f + J' reactions + H' tensions = 0 for rows that can carry load, f the sum of the rows of *loads*.
 
     Where statics leaves them open, the elastic rows share the load as their stiffness demands, from a state
     without preload; what is still open then takes the smallest reactions.
     """
-    scale = length_scales(bodies)
+    scale, f = length_scales(bodies), np.sum(loads, axis=0)
     carrying = stiffness != 0.0
     Hc, k = H[carrying], stiffness[carrying]
     T = np.hstack([J.T, Hc.T]) / scale[:, np.newaxis]
@@ -78,7 +78,8 @@ def equilibrium(bodies: Sequence[Body], J: Array, H: Array, stiffness: Array, f:
     reactions, tensions = solution[: len(J)], np.zeros(len(H))
     tensions[carrying] = solution[len(J) :]
     residual = f + J.T @ reactions + H.T @ tensions
-    acting = np.abs(f) + np.abs(J.T) @ np.abs(reactions) + np.abs(H.T) @ np.abs(tensions)
+    # rounding is measured by what is added up, not by the sum
+    acting = np.sum(np.abs(loads), axis=0) + np.abs(J.T) @ np.abs(reactions) + np.abs(H.T) @ np.abs(tensions)
     limit = BALANCE_TOLERANCE * float(np.max(acting / scale, initial=0.0))
     return Statics(reactions, tensions, residual, limit, determinate, deflection)
 

@@ -7,7 +7,8 @@ the first body at its place and, reversed, on the second body at that same spot:
 * a point's force keeps its direction in the axes of the second body (plane, road, bushing), and its moment
   turns half with each body, as that of an elastic potential of the relative rotation vector does;
 * with an `upright` axis z, fixed on the second body, the moment is u x z with u fixed on the first body;
-* turning about a rolling axis does not carry the contact point along.
+* the contact point of a rolling body stays where the second body's plane touches: turning about the rolling axis
+  relative to that plane does not carry it along.
 """
 
 from collections.abc import Sequence
@@ -65,8 +66,12 @@ def arm_changes(connection: Connection, arm_1: Array, arm_2: Array) -> tuple[Arr
     first[:, THETA1] = -skew(arm_1) @ carried
     if connection.line:
         second[:, THETA2] = -skew(arm_2)
-    else:
-        second[:, X1], second[:, X2], second[:, THETA1] = np.eye(3), -np.eye(3), first[:, THETA1]
+        return first, second
+    # what the first body's turning about its rolling axis does not do, the second one's does
+    first[:, THETA2] = -skew(arm_1) @ (np.eye(3) - carried)
+    second += first
+    second[:, X1] += np.eye(3)
+    second[:, X2] -= np.eye(3)
     return first, second
 
 

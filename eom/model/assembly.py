@@ -175,7 +175,10 @@ def assemble(vehicle: Vehicle) -> Assembly:
     matrices = assemble_matrices(vehicle.system)
     check_equilibrium(vehicle, matrices)
     pivots = choose_coordinates(vehicle.system, matrices)
-    massless = massless_motion(matrices, reduce_coordinates(matrices, pivots))
+    try:
+        massless = massless_motion(matrices, reduce_coordinates(matrices, pivots))
+    except ValueError as error:
+        raise SingularError(f"{vehicle.file}: {error}") from None
     if massless is not None:
         body = vehicle.system.bodies[massless // 6].name
         what = f"the motion {body}.{VELOCITIES[massless % 6]} has no mass: give the body mass or inertia"
