@@ -23,7 +23,7 @@ lint: .venv/developing
 	$(BIN)/mypy
 
 docs: .venv/developing
-	$(BIN)/mkdocs build --quiet --strict --site-dir build/site
+	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --quiet --strict --site-dir build/site
 
 # the figures of README and docs
 pictures: .venv/installed

@@ -10,7 +10,7 @@ import numpy as np
 from eom.assembly.inertia import trim_velocity
 from eom.assembly.rows import rows
 from eom.assembly.vectors import Array
-from eom.vehicle.elements import Body, Connection, System
+from eom.vehicle.elements import Body, Connection, Slip, System
 
 RELATIVE = 1e-9
 Finding = tuple[str, str]
@@ -19,6 +19,7 @@ Finding = tuple[str, str]
 def check_system(system: System) -> list[Finding]:
     """Everything that no system may have."""
     findings = [finding for body in system.bodies for finding in check_body(body)]
+    findings += [finding for item in system.slip for finding in check_slip(item)]
     geometry = [finding for connection in connections(system) for finding in check_geometry(connection)]
     findings += dict.fromkeys(geometry)
     return findings or list(check_trim(system))
@@ -38,6 +39,13 @@ def check_body(body: Body) -> Iterator[Finding]:
         moments = f"{first:.6g}, {second:.6g} and {third:.6g} kg m^2"
         yield body.name, f"no body has principal moments of inertia {moments}: each is at most the sum of the others"
     yield from check_spin(body, inertia)
+
+
+def check_slip(item: Slip) -> Iterator[Finding]:
+    """A tyre or slip damper must oppose sliding."""
+    worst = item.coefficients[0][0]
+    if worst < 0.0:
+        yield item.connection.name, f"its coefficient is {worst:g} N s/m: it would push along with the slip"
 
 
 def check_spin(body: Body, inertia: Array) -> Iterator[Finding]:

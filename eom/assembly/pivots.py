@@ -28,7 +28,7 @@ def pivoted_elimination(matrix: Array, preference: Array) -> tuple[list[int], li
     """Independent rows of *matrix* and as many columns that they determine, by complete pivoting.
 
     *preference* weighs the columns: a larger weight makes one dependent sooner. Written out because importing
-    SciPy's pivoted QR would cost more time than the rest of ``eom check``.
+    SciPy for its pivoted QR would make ``eom check`` take half as long again.
     """
     work = matrix / np.maximum(np.max(np.abs(matrix), axis=1, initial=0.0), 1e-300)[:, np.newaxis]
     kept: list[int] = []

@@ -101,7 +101,9 @@ def reduce_coordinates(matrices: Matrices, pivots: Pivots) -> Reduction:
         Z -= T[:, lost] @ np.linalg.solve((Jn @ T)[:, lost], Jn @ Z)
     W = T @ Tn
     # a rolling row that depends on the joints is left out above: it must hold by itself
-    if np.any(np.abs(matrices.Jn @ Z) > PIVOT_TOLERANCE * (np.abs(matrices.Jn) @ np.abs(Z) + np.max(np.abs(Z), initial=0.0))):
+    if np.any(
+        np.abs(matrices.Jn @ Z) > PIVOT_TOLERANCE * (np.abs(matrices.Jn) @ np.abs(Z) + np.max(np.abs(Z), initial=0.0))
+    ):
         message = "a rolling condition contradicts the joints: they let it hold only at one displacement"
         raise ValueError(message)
     return Reduction(T, W, Z, independent, independent[kept])

@@ -8,6 +8,7 @@ import numpy as np
 import typer
 
 from eom.cli.settings import UsageError, load_with
+from eom.errors import EomError
 from eom.model.linear import linearise
 from eom.model.modes import Modes
 from eom.report.modes import mode_table, plot_sweep, sweep_table, write_sweep
@@ -45,7 +46,7 @@ def parse_sweep(text: str) -> tuple[str, list[float], str]:
 def run_sweep(file: Path, settings: list[str], sweep: str, out: Path) -> None:
     """Modes over a parameter: a table, all roots as CSV, and a picture of the locus.
 
-    An interrupt ends the sweep; what was computed until then is kept.
+    An interrupt, or a value that the vehicle refuses, ends the sweep; what was computed until then is kept.
     """
     name, values, unit = parse_sweep(sweep)
     results: list[Modes] = []
@@ -56,10 +57,11 @@ def run_sweep(file: Path, settings: list[str], sweep: str, out: Path) -> None:
                 vehicle = load_with(file, settings, **{name: f"{value!r} {unit}" if unit else value})
                 results.append(linearise(vehicle).modes())
                 title = f"{vehicle.name}: root locus"
-    except KeyboardInterrupt:
+    except (KeyboardInterrupt, EomError) as end:
         if not results:
             raise
-        typer.echo(f"interrupted after {len(results)} of {len(values)} values", err=True)
+        what = "interrupted" if isinstance(end, KeyboardInterrupt) else f"{end}\nstopped"
+        typer.echo(f"{what} after {len(results)} of {len(values)} values", err=True)
     done = values[: len(results)]
     typer.echo(sweep_table(name, unit, done, results))
     out.mkdir(parents=True, exist_ok=True)
@@ -67,3 +69,5 @@ def run_sweep(file: Path, settings: list[str], sweep: str, out: Path) -> None:
     write_sweep(stem.with_suffix(".csv"), name, unit, done, results)
     plot_sweep(stem.with_suffix(".png"), title, f"{name} [{unit}]" if unit else name, done, results)
     typer.echo(f"\nroots  {stem.with_suffix('.csv')}\nlocus  {stem.with_suffix('.png')}")
+    if len(done) < len(values):
+        raise typer.Exit(2)

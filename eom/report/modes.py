@@ -9,12 +9,14 @@ import numpy as np
 from eom.model.modes import Modes
 from eom.report.table import table
 
-NEGLIGIBLE = 1e-9
+# of the largest root: what rounding makes of a zero
+NEGLIGIBLE = 1e-12
 
 
 def mode_table(modes: Modes) -> str:
     """One line per real root or conjugate pair."""
     lines = []
+    largest = float(np.max(np.abs(modes.eigenvalues), initial=0.0))
     for k, value in enumerate(modes.eigenvalues):
         if value.imag < 0.0:
             continue
@@ -23,7 +25,7 @@ def mode_table(modes: Modes) -> str:
                 root(value),
                 blank(modes.natural_frequency[k], modes.natural_frequency[k] > 0.0),
                 blank(modes.damping_ratio[k], np.isfinite(modes.damping_ratio[k])),
-                blank(modes.time_constant[k], abs(value.real) > NEGLIGIBLE * abs(value)),
+                blank(modes.time_constant[k], abs(value.real) > NEGLIGIBLE * largest),
                 ", ".join(modes.dominant(k, 1 if value == 0.0 else 2)),
             )
         )

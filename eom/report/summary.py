@@ -3,6 +3,8 @@
 import textwrap
 from collections.abc import Iterator
 
+import numpy as np
+
 from eom.assembly.diagnosis import redundant_joints
 from eom.assembly.vectors import Array
 from eom.model.assembly import Assembly
@@ -51,8 +53,11 @@ def redundancy(assembly: Assembly, number: int) -> str:
     if number == 0:
         return "none redundant"
     owners = [name.split("[")[0] for name in assembly.constraint_rows]
-    groups = "; ".join(" with ".join(group) for group in redundant_joints(assembly.J, owners))
-    return f"{number} redundant ({groups}): the loads of these joints are not unique, the smallest are taken"
+    groups = "; ".join(dict.fromkeys(" with ".join(group) for group in redundant_joints(assembly.J, owners)))
+    return (
+        f"{number} redundant ({groups})\n{' ' * 20}the loads of these joints are not unique, the smallest are shown;"
+        f"\n{' ' * 20}let one of them carry less"
+    )
 
 
 def trim(assembly: Assembly) -> Iterator[str]:
@@ -63,7 +68,8 @@ def trim(assembly: Assembly) -> Iterator[str]:
     how = "held" if held else "free" if speed else "at rest"
     yield f"trim speed          {speed:.6g} m/s ({speed * 3.6:.6g} km/h), {how}"
     worst = float(abs(statics.residual).max(initial=0.0))
-    how = "statics alone" if statics.determinate else "statics and stiffness"
+    stiff = bool(np.any(assembly.matrices.H_stiffness))
+    how = "statics alone" if statics.determinate else "statics and stiffness" if stiff else "smallest reactions"
     yield f"equilibrium         by {how}, largest remainder {worst:.1e} N or N m"
 
 

@@ -108,11 +108,22 @@ def test_an_interrupted_sweep_keeps_what_it_has(
         return eom.linearise(car)
 
     monkeypatch.setattr(eom.cli.modes, "linearise", interrupted)
-    assert run(monkeypatch, "modes", FOLDER / "disc.yaml", "--sweep", "U=1:9:1", "--out", tmp_path) == 0
+    assert run(monkeypatch, "modes", FOLDER / "disc.yaml", "--sweep", "U=1:9:1", "--out", tmp_path) == 2
     captured = capsys.readouterr()
     assert "interrupted after 3 of 9 values" in captured.err
     with (tmp_path / "disc_U.csv").open() as table:
         assert len(list(csv.reader(table))) == 1 + 3 * 8
+
+
+def test_a_sweep_beyond_a_bound_keeps_what_it_has(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = FOLDER / "b_train_yaw_plane.yaml"
+    assert run(monkeypatch, "modes", file, "--sweep", "U=140:200:10km/h", "--out", tmp_path) == 2
+    captured = capsys.readouterr()
+    assert "at most 44.4444 is allowed" in captured.err
+    assert "stopped after 3 of 7 values" in captured.err
+    assert (tmp_path / "b_train_yaw_plane_U.csv").exists()
 
 
 def test_schema_is_valid_json_with_the_files_keys(
@@ -130,7 +141,7 @@ def test_schema_is_valid_json_with_the_files_keys(
         (["check", "missing.yaml"], "missing.yaml: cannot be read: No such file or directory"),
         (["check", FOLDER / "disc.yaml", "--set", "U"], "expected NAME=VALUE"),
         (["check", FOLDER / "disc.yaml", "--set", "u=3"], "there is no such parameter; did you mean"),
-        (["check", FOLDER / "disc.yaml", "--set", "r=3 kg"], "another dimension"),
+        (["check", FOLDER / "disc.yaml", "--set", "r=3 kg"], "'3 kg' is in kg, expected m"),
         (["modes", FOLDER / "disc.yaml", "--sweep", "U=1:2"], "expected NAME=FROM:TO:STEP"),
         (["modes", FOLDER / "disc.yaml", "--sweep", "U=2:1:0.5"], "does not lead from 2 to 1"),
         (["modes", FOLDER / "disc.yaml", "--sweep", "U=1:2:1e-9"], "steps, at most"),

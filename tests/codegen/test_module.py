@@ -89,7 +89,8 @@ def test_an_overridden_vehicle_writes_its_own_values_into_the_module(tmp_path: P
     ("changes", "sentence"),
     [
         ({"V": 3.0}, "no such parameter: V"),
-        ({"U": 100.0}, "U is 100; at least 0.138889 and at most 44.4444 is allowed"),
+        ({"U": 100.0}, "U is 100, which is not between 0.138889 and 44.4444"),
+        ({"trim.speed": 0.0}, "no such parameter: trim.speed"),
         ({"tractor_frame.mass": float("nan")}, "not a finite number"),
         ({"tractor_frame.mass": -5.0}, "a mass is not negative"),
         ({"tractor_frame.inertia.zz": 1e6}, "no body has principal moments"),
@@ -102,6 +103,21 @@ def test_impossible_changes_are_refused_with_a_sentence(
     module = imported(vehicle("b_train_yaw_roll"), tmp_path)
     with pytest.raises(ValueError, match=sentence):
         module.linearise(changes)
+
+
+def test_the_module_at_rest_says_that_slip_needs_motion(tmp_path: Path) -> None:
+    file = text("b_train_yaw_plane").replace("min: 0.5 km/h, ", "")
+    with pytest.raises(ValueError, match="need a moving trim"):
+        imported(eom.loads(file, "train.yaml"), tmp_path).linearise({"U": 0.0})
+
+
+def test_wheels_that_stop_spinning_keep_their_coordinates(tmp_path: Path) -> None:
+    module = imported(vehicle("bicycle"), tmp_path)
+    roots = np.sort(np.linalg.eigvals(module.linearise({"U": 0.0}).A).real)
+    # published eigenvalues at rest, Meijaard et al. (2007), Table 2
+    np.testing.assert_allclose(
+        roots[[0, 1, -2, -1]], [-5.53094371765393, -3.13164324790656, 3.13164324790656, 5.53094371765393]
+    )
 
 
 def test_a_motion_that_stops_being_free_of_forces_is_noticed(tmp_path: Path) -> None:

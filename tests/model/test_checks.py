@@ -47,6 +47,7 @@ def refusal(old: str, new: str, error: type[eom.EomError] = eom.DescriptionError
             "car.yaml:9:3: bodies.frame: it spins about an axis that is no axis",
         ),
         ("speed: U", "speed: 0*U", "car.yaml:12:3: connectors.front: needs a moving trim"),
+        ("80 kN/rad", "-80 kN/rad", "car.yaml:12:3: connectors.front: its coefficient is -4000 N s/m"),
         (
             "rear: {type: tyre,",
             "rod: {type: link, between: [frame, ground], ends: [[0, 0, 0], [0, 0, 0]]}\n  rear: {type: tyre,",
@@ -106,6 +107,7 @@ def test_redundant_joints_are_named() -> None:
     doubled = CAR + "  again: {type: support, body: frame, at: [1, 0, 0], carries: [z]}\n"
     report = summary(eom.assemble(eom.loads(doubled)))
     assert "constraints         4, rank 3, 1 redundant (plane with again)" in report
+    assert "let one of them carry less" in report
 
 
 def test_an_acceleration_that_would_need_an_inputs_rate_is_refused() -> None:
