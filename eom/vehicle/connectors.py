@@ -2,12 +2,13 @@
 
 from typing import Annotated, Literal
 
-from pydantic import Field
+from pydantic import BeforeValidator, Field
 
-from eom.vehicle.parts import Flag, Identifier, Strict
+from eom.vehicle.parts import Flag, Identifier, Strict, not_a_flag
 from eom.vehicle.quantity import AngularDamping, AngularStiffness, Axis, Damping, Place, Stiffness
 
-Count = Literal[0, 1, 2, 3]
+# without the check true would count as 1
+Count = Annotated[Literal[0, 1, 2, 3], BeforeValidator(not_a_flag)]
 Pair = tuple[Identifier, Identifier]
 Carried = Literal["x", "y", "z", "roll", "pitch", "yaw"]
 
@@ -88,7 +89,7 @@ class SlipDamper(Strict):
     body: Identifier
     at: Place
     axis: Axis
-    forces: Literal[1, 2] = 1
+    forces: Annotated[Literal[1, 2], BeforeValidator(not_a_flag)] = 1
     damping: Damping
     mirror: Flag = False
 
@@ -100,7 +101,7 @@ class TyreConnector(Strict):
     body: Identifier
     at: Place
     tyre: Identifier
-    wheels: Literal[1, 2] = 2
+    wheels: Annotated[Literal[1, 2], BeforeValidator(not_a_flag)] = 2
     steered: Flag = False
     mirror: Flag = False
 

@@ -6,6 +6,7 @@ from pydantic import Discriminator, Field, Tag
 
 from eom.vehicle.connectors import Connector
 from eom.vehicle.parts import (
+    MAX_PARTS,
     Actuator,
     Body,
     Identifier,
@@ -31,6 +32,9 @@ Gravity = Annotated[
 ]
 
 
+MAX_UNITS = 20
+
+
 class Description(Strict):
     """A mechanical system, above all a road vehicle with trailers."""
 
@@ -38,13 +42,13 @@ class Description(Strict):
     source: str = ""
     gravity: Gravity | None = None
     trim: Trim | None = None
-    parameters: dict[Identifier, Parameter] = Field(default_factory=dict)
-    bodies: dict[Identifier, Body] = Field(default_factory=dict)
-    connectors: dict[Identifier, Connector] = Field(default_factory=dict)
-    loads: dict[Identifier, Load] = Field(default_factory=dict)
-    actuators: dict[Identifier, Actuator] = Field(default_factory=dict)
-    sensors: dict[Identifier, Sensor] = Field(default_factory=dict)
-    tyres: dict[Identifier, Tyre] = Field(default_factory=dict)
-    templates: dict[Identifier, Template] = Field(default_factory=dict)
-    units: dict[Identifier, AnyUnit] = Field(default_factory=dict)
-    couplings: dict[Identifier, Coupling] = Field(default_factory=dict)
+    parameters: dict[Identifier, Parameter] = Field(default_factory=dict, max_length=MAX_PARTS)
+    bodies: dict[Identifier, Body] = Field(default_factory=dict, max_length=MAX_PARTS)
+    connectors: dict[Identifier, Connector] = Field(default_factory=dict, max_length=MAX_PARTS)
+    loads: dict[Identifier, Load] = Field(default_factory=dict, max_length=MAX_PARTS)
+    actuators: dict[Identifier, Actuator] = Field(default_factory=dict, max_length=MAX_PARTS)
+    sensors: dict[Identifier, Sensor] = Field(default_factory=dict, max_length=MAX_PARTS)
+    tyres: dict[Identifier, Tyre] = Field(default_factory=dict, max_length=MAX_PARTS)
+    templates: dict[Identifier, Template] = Field(default_factory=dict, max_length=MAX_PARTS)
+    units: dict[Identifier, AnyUnit] = Field(default_factory=dict, max_length=MAX_UNITS)
+    couplings: dict[Identifier, Coupling] = Field(default_factory=dict, max_length=MAX_PARTS)

@@ -104,7 +104,7 @@ class Draft:
         for known in (bodies or {}, self.index):
             if name in known:
                 return known[name]
-        if name not in self.registry.broken:
+        if not self.registry.excuses(name):
             guess = did_you_mean(name, [*(bodies or {}), *self.index])
             self.registry.report(path, f"unknown body '{name}'{guess}")
         return GROUND

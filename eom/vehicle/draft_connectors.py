@@ -144,7 +144,7 @@ def find_tyre(draft: Draft, tyres: dict[str, parts.Tyre], name: str, path: Path)
     """The tyre of that name; reported if there is none."""
     if name in tyres:
         return tyres[name]
-    if name not in draft.registry.broken:
+    if not draft.registry.excuses(name):
         draft.registry.report(path, f"unknown tyre '{name}'{did_you_mean(name, tyres)}")
     return None
 

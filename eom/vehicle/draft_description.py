@@ -34,8 +34,6 @@ def make_draft(description: Description, broken: frozenset[str]) -> Draft:
         draft_actuator(draft, name, actuator, ("actuators", written))
     for name, (written, sensor) in mirrored(draft, description, "sensors").items():
         draft_sensor(draft, name, sensor, ("sensors", written))
-    if not draft.bodies and not broken:
-        registry.report((), "describes no body: give 'bodies' or 'units'")
     if trim is not None and trim.hold and draft.bodies:
         lead = draft.connection("trim.hold", (0, GROUND), draft.bodies[0].centre, forces=1, force_axis=X)
         draft.constraints.append(Constraint(lead, moving=True))

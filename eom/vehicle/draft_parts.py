@@ -1,18 +1,25 @@
 """Parameters, bodies and loads into a draft."""
 
+import keyword
+
 from eom.vehicle import parts
 from eom.vehicle.description import Description
 from eom.vehicle.draft import ORIGIN, ZERO, Draft, Scope, Site, add
 from eom.vehicle.elements import GROUND, Body, Load, Matrix3, Vector
+from eom.vehicle.expression import CONSTANTS, FUNCTIONS
 from eom.vehicle.quantity import Quantity
 from eom.vehicle.registry import Live, Registry
 from eom.vehicle.source import Path
+
+RESERVED = {*keyword.kwlist, *CONSTANTS, *FUNCTIONS, "gravity"}
 
 
 def declare_parameters(registry: Registry, description: Description) -> None:
     """Enter the declared parameters, then check the names in their values."""
     for name, item in description.parameters.items():
-        path: Path = ("parameters", name)
+        path: Path = ("parameters", name, "value")
+        if name in RESERVED:
+            registry.report(path[:2], f"'{name}' has a meaning of its own: give the parameter another name")
         registry.parameters[name] = Live(
             item.value.expression,
             item.value.unit,

@@ -120,11 +120,13 @@ def draft_sensor(draft: Draft, name: str, item: parts.Sensor, path: Path) -> Non
         unit = next((unit for unit in draft.units if unit.name == item.centre_of), None)
         if unit is None:
             known = [unit.name for unit in draft.units]
-            if item.centre_of not in registry.broken:
+            if not registry.excuses(item.centre_of):
                 what = f"unknown unit '{item.centre_of}'{did_you_mean(item.centre_of, known)}"
                 registry.report((*path, "centre_of"), what)
             return
         other = draft.body(item.relative_to, (*path, "relative_to"))
+        if not unit.bodies:
+            return
         terms = whole_mass_terms(draft, unit, axis)
         if other != GROUND:
             terms = (*terms, (-ONE, along(draft, other, axis)))

@@ -64,7 +64,7 @@ def resolve_use(draft: Draft, description: Description, name: str, item: Unit | 
     registry, path = draft.registry, ("units", name)
     template = description.templates.get(item.use)
     if template is None:
-        if item.use not in registry.broken:
+        if not registry.excuses(item.use):
             known = description.templates
             registry.report((*path, "use"), f"unknown template '{item.use}'{did_you_mean(item.use, known)}")
         return Unit.model_construct(bodies={}), {}, path
@@ -79,8 +79,12 @@ def resolve_use(draft: Draft, description: Description, name: str, item: Unit | 
             guess = did_you_mean(key, template.needs)
             registry.report(here, f"the template '{item.use}' does not ask for '{key}'{guess}")
         bare = argument_name(quantity)
-        if bare is not None and bare in description.tyres:
+        if bare is not None and bare not in registry.parameters:
             scope[key] = Name(bare)
+            choice = {*description.tyres, *registry.parameters}
+            if bare not in description.tyres and not registry.excuses(bare):
+                registry.report(here, f"unknown parameter or tyre '{bare}'{did_you_mean(bare, choice)}")
+                registry.broken.add(bare)
         else:
             scope[key] = cast("Expression", registry.number(quantity, f"{name}.{key}", here))
     return template, scope, ("templates", item.use)
@@ -95,7 +99,7 @@ def coupling_places(draft: Draft, description: Description, order: list[str]) ->
         draft.claim(name, path)
         unknown = [unit for unit in item.between if unit not in order]
         for unit in unknown:
-            if unit not in registry.broken:
+            if not registry.excuses(unit):
                 registry.report((*path, "between"), f"unknown unit '{unit}'{did_you_mean(unit, order)}")
         if unknown:
             continue
@@ -112,8 +116,10 @@ def coupling_places(draft: Draft, description: Description, order: list[str]) ->
         difference = cast("Expression", places[following][0][2] - places[following][1][2])
         what = f"its places in {ahead} and {following} must be equally high above the ground"
         draft.zeros.append((difference, (*path, "at"), what))
+    # a coupling that was refused may be the one that is missing
+    complete = len(places) == len(description.couplings) and not registry.broken
     for unit in order[1:]:
-        if unit not in places and not registry.broken:
+        if unit not in places and complete:
             registry.report(("units", unit), "is not coupled to the unit ahead of it: add it to 'couplings'")
     return places
 
@@ -180,7 +186,7 @@ def draft_axle(
     draft.axles[name] = f"{unit_draft.name}_{axle.group}"
     group = unit.axle_groups.get(axle.group)
     if group is None:
-        if axle.group not in registry.broken:
+        if not registry.excuses(axle.group):
             known = unit.axle_groups
             registry.report((*path, "group"), f"unknown axle group '{axle.group}'{did_you_mean(axle.group, known)}")
         return
@@ -222,8 +228,9 @@ def draft_suspension(draft: Draft, unit_draft: UnitDraft, key: str, item: Suspen
     path = (*unit_draft.path, "suspensions", key)
     draft.claim(name, path)
     bodies = suspension_bodies(draft, unit_draft, key, item)
-    if GROUND in bodies or bodies[0] == bodies[1]:
+    if "ground" in item.between or item.between[0] == item.between[1]:
         registry.report((*path, "between"), "a suspension stands between two bodies of its unit")
+    if GROUND in bodies:
         return []
     height = roll_axis_height(draft, unit_draft, key, item)
     place = (draft.bodies[bodies[1]].centre[0], unit_draft.origin[1], height)

@@ -5,10 +5,14 @@ One tree, several back ends: `evaluate` gives a number, `python_text` the same a
 
 import ast
 import math
+import re
+import warnings
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 
 MAX_LENGTH, MAX_NODES = 200, 100
+# what Python reads and a reader of the file might not: 0x10, 1_000, comments
+ODD = re.compile(r"#|(?<![A-Za-z_\d])\d+[_xXoObB]")
 FUNCTIONS: dict[str, Callable[[float], float]] = {
     "sqrt": math.sqrt,
     "sin": math.sin,
@@ -101,7 +105,7 @@ def combine(operator: str, left: Expression, right: Expression) -> Expression:
         return right
     if operator == "*" and Number(1.0) in (left, right):
         return right if left == Number(1.0) else left
-    if isinstance(left, Number) and isinstance(right, Number):
+    if isinstance(left, Number) and isinstance(right, Number) and (operator, right) != ("/", Number(0.0)):
         return Number(evaluate(Binary(operator, left, right), {}))
     return Binary(operator, left, right)
 
@@ -112,7 +116,7 @@ def parse(text: str) -> Expression:
         message = f"an expression has at most {MAX_LENGTH} characters"
         raise ValueError(message)
     try:
-        tree = ast.parse(text.strip(), mode="eval")
+        tree = syntax_tree(text.strip())
     except (SyntaxError, ValueError, MemoryError, RecursionError):
         hint = "; write ** for powers" if "^" in text else ""
         message = f"'{shorten(text)}' is neither a number with a unit nor an arithmetic expression{hint}"
@@ -121,6 +125,18 @@ def parse(text: str) -> Expression:
         message = "the expression is too long: introduce parameters for its parts"
         raise ValueError(message)
     return convert(tree.body, text)
+
+
+def syntax_tree(text: str) -> ast.Expression:
+    """Python's tree of a text; ``SyntaxError`` also where Python would warn."""
+    if ODD.search(text):
+        raise SyntaxError(text)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        try:
+            return ast.parse(text, mode="eval")
+        except Warning as warning:
+            raise SyntaxError(text) from warning
 
 
 def convert(node: ast.expr, text: str) -> Expression:
@@ -193,18 +209,15 @@ def substitute(expression: Expression, replacements: Mapping[str, Expression]) -
 def evaluate(expression: Expression, values: Mapping[str, float]) -> float:
     """The number that an expression stands for; ``ValueError`` with a sentence where there is none."""
     try:
-        result = compute(expression, values)
+        result, problem = compute(expression, values), "is not a finite real number"
     except ZeroDivisionError:
-        message = f"{python_text(expression)} divides by zero"
-        raise ValueError(message) from None
+        result, problem = math.nan, "divides by zero"
     except OverflowError:
-        message = f"{python_text(expression)} is too large"
-        raise ValueError(message) from None
+        result, problem = math.nan, "is too large"
     except ValueError as error:
-        message = f"{python_text(expression)} has no value: {error}"
-        raise ValueError(message) from None
+        result, problem = math.nan, f"has no value: {error}"
     if not math.isfinite(result):
-        message = f"{python_text(expression)} is not a finite real number"
+        message = f"{python_text(expression).replace('math.', '')} {problem}"
         raise ValueError(message)
     return result
 

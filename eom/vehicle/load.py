@@ -12,8 +12,8 @@ from eom.vehicle.draft import Draft
 from eom.vehicle.draft_description import make_draft
 from eom.vehicle.elements import System
 from eom.vehicle.expression import evaluate
-from eom.vehicle.source import Source, read_source
-from eom.vehicle.validate import validate
+from eom.vehicle.source import MAX_BYTES, Source, read_source
+from eom.vehicle.validate import COLLECTIONS, validate
 from eom.vehicle.values import check_expressions, numbers, override, parameter_values
 
 
@@ -71,27 +71,32 @@ def load(path: str | FilePath, **overrides: str | float) -> Vehicle:
         With every mistake of the file and the overrides.
     """
     try:
-        raw = FilePath(path).read_bytes()
-    except OSError as error:
-        raise DescriptionError([Mistake(str(path), 0, 0, "", f"cannot be read: {error.strerror}")]) from None
+        with FilePath(path).open("rb") as file:
+            raw = file.read(4 * MAX_BYTES + 1)
+    except (OSError, ValueError) as error:
+        what = f"cannot be read: {getattr(error, 'strerror', None) or error}"
+        raise DescriptionError([Mistake(str(path), 0, 0, "", what)]) from None
     return loads(raw, str(path), **overrides)
 
 
 def loads(text: str | bytes, file: str = "<text>", **overrides: str | float) -> Vehicle:
     """The vehicle that a text describes; see `load`."""
-    raw = text.encode() if isinstance(text, str) else text
     try:
+        raw = text.encode() if isinstance(text, str) else text
         source = read_source(raw.decode(), file)
-    except UnicodeDecodeError as error:
-        what = f"not readable as text: byte {error.start} is no UTF-8"
+    except (UnicodeDecodeError, UnicodeEncodeError) as error:
+        what = f"not readable as UTF-8 text: {error.reason} at {error.start}"
         raise DescriptionError([Mistake(file, 0, 0, "", what)]) from None
     description, broken = validate(source)
-    if description is None:
+    # without a whole section every reference into it would be one more mistake
+    if description is None or broken & {"parameters", *COLLECTIONS}:
         raise DescriptionError(source.mistakes)
     draft = make_draft(description, broken)
     source.mistakes += [Mistake(file, 0, 0, "", what) for what in override(draft.registry, overrides)]
     for where, what in draft.registry.mistakes:
         source.report(where, what)
+    if not (draft.bodies or source.mistakes):
+        source.report((), "describes no body: give 'bodies' or 'units'")
     values = parameter_values(draft.registry, source)
     check_expressions(draft.registry, values, source)
     if source.mistakes:

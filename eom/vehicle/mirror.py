@@ -4,6 +4,7 @@ Places, axes, forces and velocities are polar vectors (y changes sign); moments 
 Actuators and sensors are mirrored in place and keep their direction, so that +y is left on both sides.
 """
 
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any, TypeVar
@@ -14,16 +15,15 @@ from eom.vehicle.quantity import Quantity
 Part = TypeVar("Part", bound=Strict)
 Vector3 = tuple[Quantity, Quantity, Quantity]
 
+SIDE = re.compile(r"(?<![A-Za-z])(?:left|right)(?![A-Za-z])")
 POLAR = ("at", "axis", "rolling_axis", "force", "velocity")
 AXIAL = ("moment", "spin")
 NAMES = ("body", "frame", "reaction_on", "relative_to")
 
 
 def other_side(name: str) -> str:
-    """The name with left and right exchanged."""
-    if "left" in name:
-        return name.replace("left", "right")
-    return name.replace("right", "left")
+    """The name with the words left and right exchanged, but not within words such as upright."""
+    return SIDE.sub(lambda match: "right" if match[0] == "left" else "left", name)
 
 
 def negative(quantity: Quantity) -> Quantity:

@@ -16,10 +16,20 @@ from eom.vehicle.quantity import (
     Moment,
     Place,
     Speed,
+    describe,
 )
 
 Identifier = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]*$", max_length=60)]
+MAX_PARTS = 200
 Flag = Annotated[bool, Field(strict=True)]
+
+
+def not_a_flag(value: object) -> object:
+    """A count, which true and false are not."""
+    if isinstance(value, bool):
+        message = f"expected a number, got {describe(value)}"
+        raise ValueError(message)  # noqa: TRY004  pydantic collects value errors alone
+    return value
 
 
 class Strict(BaseModel):

@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import dataclass
+from numbers import Real
 from typing import Annotated, Any
 
 from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
@@ -9,10 +10,10 @@ from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema, core_schema
 
 from eom.vehicle.expression import Expression, Number, finite, parse, shorten
-from eom.vehicle.units import Dimension, parse_unit, show_dimension
+from eom.vehicle.units import Dimension, parse_unit, stated_in
 
-MEASURED = re.compile(r"\s*([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?)\s*((?:[A-Za-z°]|(?<=\s)1/).*?)\s*")
-EXPONENT_ONLY = re.compile(r"[eE]\d*")
+NUMBER = r"(?>[-+]?(?:(?:0|[1-9]\d*)(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?)"
+MEASURED = re.compile(rf"\s*({NUMBER})\s*((?:[A-Za-z°]|(?<=\s)1/).*?)\s*", re.ASCII)
 
 
 @dataclass(frozen=True)
@@ -36,19 +37,28 @@ class Quantity:
 
 def parse_quantity(value: object, unit: str) -> Quantity:
     """A file's scalar as a quantity for a place that takes *unit*; ``ValueError`` with a sentence."""
-    if isinstance(value, bool) or not isinstance(value, (int, float, str)):
+    if isinstance(value, bool) or not isinstance(value, (Real, str)):
         message = f"expected a number{in_unit(unit)}, 'number unit' or an expression, got {describe(value)}"
         raise ValueError(message)  # noqa: TRY004  pydantic collects value errors alone
     if not isinstance(value, str):
-        return Quantity(Number(finite(float(value), str(value))), unit)
+        return Quantity(Number(as_float(value)), unit)
     match = MEASURED.fullmatch(value)
-    if match is None or EXPONENT_ONLY.fullmatch(match[2]):
+    if match is None:
         return Quantity(parse(value), unit)
     factor, dimension = parse_unit(match[2])
     if unit != "*" and dimension != parse_unit(unit)[1]:
-        message = f"'{shorten(value)}' is in {show_dimension(dimension)}, expected {unit or 'a plain number'}"
+        message = f"'{shorten(value)}' is {stated_in(dimension)}, expected {unit or 'a plain number'}"
         raise ValueError(message)
     return Quantity(Number(finite(float(match[1]) * factor, value)), unit, dimension)
+
+
+def as_float(value: Real) -> float:
+    """The number as a float; ``ValueError`` beyond its range."""
+    try:
+        return finite(float(value), str(value))
+    except OverflowError:
+        message = "is too large for a number"
+        raise ValueError(message) from None
 
 
 def in_unit(unit: str) -> str:
@@ -67,6 +77,8 @@ def describe(value: object) -> str:
             return f"a list of {len(value)}"
         case None:
             return "nothing"
+        case float():
+            return f"'{value:g}'"
         case _:
             return f"'{shorten(str(value))}'"
 

@@ -7,7 +7,7 @@ from eom.vehicle.elements import Vector
 from eom.vehicle.expression import Expression, Name, Number, names, substitute
 from eom.vehicle.quantity import Quantity
 from eom.vehicle.source import Path
-from eom.vehicle.units import Dimension, parse_unit, show_dimension
+from eom.vehicle.units import Dimension, parse_unit, stated_in
 from eom.vehicle.validate import did_you_mean
 
 XYZ = ("x", "y", "z")
@@ -38,6 +38,10 @@ class Registry:
     broken: set[str] = field(default_factory=set)
     expressions: list[tuple[Expression, Path]] = field(default_factory=list)
 
+    def excuses(self, name: str) -> bool:
+        """Whether a name is, or is composed of, one that was left out."""
+        return any(f"_{part}_" in f"_{name}_" for part in self.broken)
+
     def report(self, path: Path, what: str) -> None:
         """Note a mistake at a path of the file."""
         self.mistakes.append((path, what))
@@ -46,7 +50,7 @@ class Registry:
         """The quantity's expression with a template's arguments filled in; unknown names are reported."""
         expression = substitute(quantity.expression, scope)
         for name in names(expression):
-            if name not in self.parameters and name not in self.broken:
+            if name not in self.parameters and not self.excuses(name):
                 known = [key for key in (*self.parameters, *scope) if "." not in key]
                 self.report(path, f"unknown parameter '{name}'{did_you_mean(name, known)}")
         self.check_dimension(expression, quantity.unit, path)
@@ -60,7 +64,7 @@ class Registry:
             if live and live.dimension is not None and live.dimension != parse_unit(unit)[1]:
                 self.report(
                     path,
-                    f"the parameter '{expression.name}' is in {show_dimension(live.dimension)}, "
+                    f"the parameter '{expression.name}' is {stated_in(live.dimension)}, "
                     f"expected {unit or 'a plain number'}",
                 )
 

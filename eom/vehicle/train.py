@@ -5,7 +5,7 @@ from typing import Literal, Self
 from pydantic import Field, model_validator
 
 from eom.vehicle.connectors import Carried, Connector
-from eom.vehicle.parts import Body, Flag, Identifier, Strict
+from eom.vehicle.parts import MAX_PARTS, Body, Flag, Identifier, Strict
 from eom.vehicle.quantity import AngularDamping, AngularStiffness, Any_, Length, Place, Quantity
 
 CARRIED_BY_KIND: dict[str, tuple[Carried, ...]] = {
@@ -57,11 +57,11 @@ class Axle(Strict):
 class Unit(Strict):
     """A vehicle unit in its own frame: x forward, y left, z up from the ground."""
 
-    bodies: dict[Identifier, Body] = Field(min_length=1)
-    suspensions: dict[Identifier, Suspension] = Field(default_factory=dict)
-    axle_groups: dict[Identifier, AxleGroup] = Field(default_factory=dict)
-    axles: dict[Identifier, Axle] = Field(default_factory=dict)
-    connectors: dict[Identifier, Connector] = Field(default_factory=dict)
+    bodies: dict[Identifier, Body] = Field(min_length=1, max_length=MAX_PARTS)
+    suspensions: dict[Identifier, Suspension] = Field(default_factory=dict, max_length=MAX_PARTS)
+    axle_groups: dict[Identifier, AxleGroup] = Field(default_factory=dict, max_length=MAX_PARTS)
+    axles: dict[Identifier, Axle] = Field(default_factory=dict, max_length=MAX_PARTS)
+    connectors: dict[Identifier, Connector] = Field(default_factory=dict, max_length=MAX_PARTS)
 
 
 class Template(Unit):

@@ -15,7 +15,8 @@ Dimension = tuple[float, float, float]
 
 DIMENSIONLESS: Dimension = (0.0, 0.0, 0.0)
 MAX_LENGTH = 60
-FACTOR = re.compile(r"([A-Za-z°]+)(?:\^(-?\d))?")
+SPACE = re.compile(r" *([*/^]) *")
+FACTOR = re.compile(r"([A-Za-z°]+)(?:\^(-?\d))?", re.ASCII)
 DEFINITIONS = """
 mega- = 1e6 = M-
 kilo- = 1e3 = k-
@@ -61,13 +62,10 @@ def registry() -> "pint.UnitRegistry[float]":
 @cache
 def look_up(name: str) -> tuple[float, Dimension]:
     """SI factor and dimension of one unit name; ``ValueError`` if it is unknown."""
-    import pint  # noqa: PLC0415
-
-    try:
-        factor, base = registry().get_base_units(name)
-    except pint.UndefinedUnitError:
+    if not registry().parse_unit_name(name):
         message = f"unknown unit of measure '{name}'"
-        raise ValueError(message) from None
+        raise ValueError(message)
+    factor, base = registry().get_base_units(name)
     exponents = base._units  # noqa: SLF001  the only way to the exponents that evaluates no text
     mass, length, time = (float(str(exponents.get(key, 0))) for key in ("gram", "meter", "second"))
     return float(str(factor)) / 1000.0**mass, (mass, length, time)
@@ -80,7 +78,9 @@ def parse_unit(text: str) -> tuple[float, Dimension]:
     >>> parse_unit("km/h")
     (0.2777777777777778, (0.0, 1.0, -1.0))
     """
-    compact = text.replace(" ", "").replace("**", "^").replace("·", "*").replace("²", "^2")
+    if not text:
+        return 1.0, DIMENSIONLESS
+    compact = SPACE.sub(r"\1", text.replace("**", "^").replace("·", "*").replace("²", "^2"))
     if len(text) > MAX_LENGTH:
         message = "the unit of measure is too long"
         raise ValueError(message)
@@ -113,3 +113,8 @@ def show_dimension(dimension: Dimension) -> str:
     if not above and not below:
         return "a plain number"
     return f"{above or '1'}/{below}" if below else above
+
+
+def stated_in(dimension: Dimension) -> str:
+    """What a number of some dimension is: ``in kg`` or ``a plain number``."""
+    return f"in {show_dimension(dimension)}" if any(dimension) else show_dimension(dimension)

@@ -2,15 +2,17 @@
 
 import difflib
 from collections.abc import Callable, Collection
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any
 
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
 from eom.vehicle.description import Description
+from eom.vehicle.expression import shorten
+from eom.vehicle.mirror import other_side
 from eom.vehicle.quantity import describe
-from eom.vehicle.source import Path, Source
+from eom.vehicle.source import MAX_VALUES, Path, Source
 
 COLLECTIONS = ("bodies", "connectors", "loads", "actuators", "sensors", "tyres", "templates", "units", "couplings")
 MAX_ROUNDS = 50
@@ -18,11 +20,21 @@ MAX_ROUNDS = 50
 
 def did_you_mean(name: str, known: Collection[str]) -> str:
     """A suggestion to add to a message, empty if nothing known is close."""
+    return suggest(closest(name, known))
+
+
+def suggest(name: str) -> str:
+    """The question whether a name was meant, empty without one."""
+    return f"; did you mean '{name}'?" if name else ""
+
+
+def closest(name: str, known: Collection[str]) -> str:
+    """The known name that is most like another one, empty if none is."""
     if name in known:
         return ""
     by_lower_case = {key.lower(): key for key in sorted(known)}
     close = difflib.get_close_matches(name.lower(), by_lower_case, n=1, cutoff=0.6)
-    return f"; did you mean '{by_lower_case[close[0]]}'?" if close else ""
+    return by_lower_case[close[0]] if close else ""
 
 
 def validate(source: Source) -> tuple[Description | None, frozenset[str]]:
@@ -39,9 +51,15 @@ def validate(source: Source) -> tuple[Description | None, frozenset[str]]:
         except ValidationError as error:
             # the whole round first, as leaving out one part would hide the others' places
             found = [(file_path(item["loc"], data), item) for item in error.errors(include_url=False)]
+            meant = {
+                (*path[:-1], meant_key(str(path[-1]))) for path, item in found if item["type"] == "extra_forbidden"
+            }
             for path, item in found:
+                if item["type"] == "missing" and path in meant:
+                    continue
                 if not is_consequence(path, item, emptied):
-                    source.report(*sentence(path, item))
+                    about_key = item["type"] == "extra_forbidden" or item["loc"][-1] == "[key]"
+                    (source.report_key if about_key else source.report)(*sentence(path, item))
             for path, item in found:
                 emptied.add(leave_out(data, path, item["type"], broken))
     return None, frozenset(broken)
@@ -85,9 +103,9 @@ def sentence(path: Path, item: ErrorDetails) -> tuple[Path, str]:
     kind, last = item["type"], path[-1] if path else ""
     if kind == "missing":
         count = len(item.get("input") or ())
-        return path[:-1], f"has only {count} entries" if isinstance(last, int) else f"needs '{last}'"
+        return path[:-1], f"has too few entries ({count})" if isinstance(last, int) else f"needs '{last}'"
     if kind == "extra_forbidden":
-        return path, f"unknown key '{last}'{did_you_mean(str(last), vocabulary())}"
+        return path, f"unknown key '{last}'{suggest(meant_key(str(last)))}"
     say = SENTENCES.get(kind)
     came = describe(item.get("input"))
     return path, say(item.get("ctx", {}), came) if say else f"{item['msg'][0].lower()}{item['msg'][1:]}, got {came}"
@@ -97,12 +115,14 @@ def unknown_type(context: dict[str, Any], _: str) -> str:
     """The sentence for a connector of a type that does not exist."""
     known = context["expected_tags"].replace("'", "").split(", ")
     guess = did_you_mean(context["tag"], known)
-    return f"unknown type '{context['tag']}', expected one of {', '.join(known)}{guess}"
+    return f"unknown type '{shorten(context['tag'])}', expected one of {', '.join(known)}{guess}"
 
 
 def wrong_length(context: dict[str, Any], _: str) -> str:
-    """The sentence for a list with too many or too few entries."""
-    return f"has {context['actual_length']} entries, expected {context.get('max_length', 'one or more')}"
+    """The sentence for a list or mapping with too many or too few entries."""
+    if "max_length" in context:
+        return f"has {context['actual_length'] or 'too many'} entries, expected at most {context['max_length']}"
+    return f"has {context['actual_length'] or 'no'} entries, expected at least {context['min_length']}"
 
 
 # per kind of pydantic error: its sentence from pydantic's context and from what came
@@ -138,10 +158,16 @@ def vocabulary() -> frozenset[str]:
     return frozenset(keys)
 
 
+@lru_cache(maxsize=MAX_VALUES)
+def meant_key(name: str) -> str:
+    """The key of the schema that was probably meant, empty if none is close."""
+    return closest(name, vocabulary())
+
+
 def leave_out(data: dict[str, Any], path: Path, kind: str, broken: set[str]) -> Path:
     """Remove what *path* makes unusable: an unknown key alone, else the part it belongs to; return where from."""
-    if kind == "missing" and len(path) == 1:
-        data[str(path[0])] = "unnamed"
+    if path == ("name",):
+        data["name"] = "unnamed"
         return ()
     depth = len(path) if kind == "extra_forbidden" else part_depth(path)
     here: Any = data
@@ -150,7 +176,11 @@ def leave_out(data: dict[str, Any], path: Path, kind: str, broken: set[str]) -> 
     if isinstance(here, dict) and path[depth - 1] in here:
         del here[path[depth - 1]]
         if kind != "extra_forbidden":
-            broken.add(str(path[depth - 1]))
+            name = str(path[depth - 1])
+            broken.update({name, other_side(name)})
+        elif depth == 1:
+            # a whole section under a mistyped key
+            broken.add(meant_key(str(path[0])))
     return path[: depth - 1]
 
 

@@ -9,7 +9,10 @@ from eom.vehicle.expression import Expression, evaluate, names
 from eom.vehicle.quantity import parse_quantity
 from eom.vehicle.registry import Live, Registry
 from eom.vehicle.source import Path, Source
+from eom.vehicle.units import Dimension, show_dimension, stated_in
 from eom.vehicle.validate import did_you_mean
+
+MAX_RING = 8
 
 
 def override(registry: Registry, overrides: Mapping[str, str | float]) -> list[str]:
@@ -23,8 +26,7 @@ def override(registry: Registry, overrides: Mapping[str, str | float]) -> list[s
             continue
         try:
             quantity = parse_quantity(value, live.unit)
-            if live.unit == "*" and None not in {live.dimension, quantity.dimension}:
-                check_same(live, quantity.dimension, value)
+            check_same(live.dimension, quantity.dimension, value)
             for needed in names(quantity.expression):
                 check_known(needed, registry)
         except ValueError as error:
@@ -41,10 +43,10 @@ def check_known(name: str, registry: Registry) -> None:
         raise ValueError(message)
 
 
-def check_same(live: Live, dimension: object, value: object) -> None:
-    """An override must have the dimension of the value that it replaces."""
-    if dimension != live.dimension:
-        message = f"'{value}' has another dimension than the file's value"
+def check_same(wanted: Dimension | None, given: Dimension | None, value: object) -> None:
+    """An override must have the dimension of the value that it replaces, where both are known."""
+    if wanted is not None and given is not None and given != wanted:
+        message = f"'{value}' is {stated_in(given)}, expected {show_dimension(wanted)}"
         raise ValueError(message)
 
 
@@ -56,8 +58,7 @@ def parameter_values(registry: Registry, source: Source) -> dict[str, float]:
     def settle(name: str, trail: tuple[str, ...]) -> None:
         live = registry.parameters[name]
         if state.get(name) == "open":
-            ring = " -> ".join((*trail[trail.index(name) :], name))
-            source.report(live.path, f"is computed from itself: {ring}")
+            source.report(live.path, f"is computed from itself: {show_ring([*trail[trail.index(name) :], name])}")
             return
         if name in state:
             return
@@ -79,6 +80,11 @@ def parameter_values(registry: Registry, source: Source) -> dict[str, float]:
     return values
 
 
+def show_ring(ring: list[str]) -> str:
+    """A cycle of names, its middle left out if it is long."""
+    return " -> ".join(ring if len(ring) <= MAX_RING else [*ring[:3], "...", *ring[-2:]])
+
+
 def check_bounds(name: str, live: Live, values: Mapping[str, float], source: Source) -> None:
     """Report a value outside its bounds."""
     for bound, word, sign in ((live.minimum, "least", -1.0), (live.maximum, "most", 1.0)):
@@ -86,8 +92,8 @@ def check_bounds(name: str, live: Live, values: Mapping[str, float], source: Sou
             continue
         try:
             limit = evaluate(bound, values)
-        except ValueError as error:
-            source.report(live.path, str(error))
+        except ValueError:
+            # check_expressions reports it where it stands
             continue
         if sign * (values[name] - limit) > 0.0:
             source.report(live.path, f"is {values[name]:g}, but at {word} {limit:g} is allowed (SI units)")

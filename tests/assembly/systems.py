@@ -1,0 +1,196 @@
+"""Small systems to try the kernel on, and how to turn, shift and mirror whole systems."""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from hypothesis import Phase
+from numpy.typing import NDArray
+
+from eom.assembly.matrices import Matrices, assemble_matrices
+from eom.assembly.pivots import choose_pivots
+from eom.assembly.reduction import Pivots, StateSpace, state_space
+from eom.vehicle.elements import (
+    GROUND,
+    Body,
+    Connection,
+    Elastic,
+    Input,
+    Load,
+    Matrix3,
+    Output,
+    System,
+    Vector,
+)
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+ZERO: Vector = (0.0, 0.0, 0.0)
+X: Vector = (1.0, 0.0, 0.0)
+Y: Vector = (0.0, 1.0, 0.0)
+Z: Vector = (0.0, 0.0, 1.0)
+PHASES = (Phase.explicit, Phase.generate, Phase.shrink)
+"""What hypothesis does: all but explaining a failure, which takes longer than all the rest."""
+EMPTY = System((), ZERO, (), (), (), (), (), (), ())
+"""A system of nothing, to be filled by ``_replace``."""
+
+
+class Linear(NamedTuple):
+    """What the kernel makes of a system."""
+
+    matrices: Matrices
+    pivots: Pivots
+    model: StateSpace
+
+
+def linear(system: System) -> Linear:
+    """Matrices, pivots and state space of a system."""
+    matrices = assemble_matrices(system)
+    pivots = choose_pivots(system, matrices)
+    return Linear(matrices, pivots, state_space(system, matrices, pivots))
+
+
+def vector(values: Sequence[float] | Array) -> Vector:
+    """Three numbers as the plain tuple that elements hold."""
+    x, y, z = (float(value) for value in values)
+    return (x, y, z)
+
+
+def tensor(values: Array) -> Matrix3:
+    """A matrix (3, 3) as the plain tuples that bodies hold."""
+    return (vector(values[0]), vector(values[1]), vector(values[2]))
+
+
+def diagonal(xx: float, yy: float, zz: float) -> Matrix3:
+    """Inertia tensor about principal axes."""
+    return ((xx, 0.0, 0.0), (0.0, yy, 0.0), (0.0, 0.0, zz))
+
+
+def body(
+    name: str,
+    centre: Vector = ZERO,
+    mass: float = 1.0,
+    inertia: Matrix3 = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)),
+    velocity: Vector = ZERO,
+    spin: Vector = ZERO,
+) -> Body:
+    """A body of one kilogram at rest, unless said otherwise."""
+    return Body(name, mass, centre, inertia, velocity, spin)
+
+
+def point(
+    bodies: tuple[int, int],
+    place: Vector,
+    forces: int = 0,
+    moments: int = 0,
+    axis: Vector = Z,
+    name: str = "point",
+) -> Connection:
+    """A point whose forces and moments share one axis."""
+    return Connection(name, bodies, (place, place), forces, axis, moments, axis)
+
+
+def line(bodies: tuple[int, int], first: Vector, second: Vector, name: str = "line") -> Connection:
+    """A line between two places."""
+    return Connection(name, bodies, (first, second), 1, line=True)
+
+
+def spring(connection: Connection, stiffness: float, damping: float = 0.0) -> Elastic:
+    """A spring with a damper along the forces of a connection."""
+    return Elastic(connection, (stiffness, 0.0), (damping, 0.0))
+
+
+def push(index: int, place: Vector, axis: Vector, name: str = "push", gain: float = 1.0) -> Input:
+    """A force input on a body."""
+    return Input(name, "N", point((index, GROUND), place, forces=1, axis=axis), (gain,), (0.0,))
+
+
+def measure(
+    index: int, place: Vector, axis: Vector, quantity: str = "position", frame: str = "inertial", name: str = "output"
+) -> Output:
+    """Motion of a body's place along an axis."""
+    return Output(name, "", quantity, frame, ((1.0, point((index, GROUND), place, forces=1, axis=axis)),))
+
+
+def turn(index: int, axis: Vector, quantity: str = "position", frame: str = "inertial", name: str = "output") -> Output:
+    """Rotation of a body about an axis."""
+    return Output(name, "", quantity, frame, ((1.0, point((index, GROUND), ZERO, moments=1, axis=axis)),))
+
+
+def transfer(model: StateSpace, s: complex) -> Complex:
+    """Transfer function matrix at *s*."""
+    states = np.linalg.solve(s * np.eye(len(model.A)) - model.A, model.B.astype(complex))
+    return np.asarray(model.C @ states + model.D, dtype=np.complex128)
+
+
+def eigenvalues(model: StateSpace) -> Complex:
+    """Roots, sorted by real and imaginary part."""
+    return np.sort_complex(np.linalg.eigvals(model.A).astype(np.complex128))
+
+
+def nonzero(roots: Complex, smallest: float = 1e-9) -> Complex:
+    """The roots that are no zeros, sorted; of a pair of tiny imaginary parts none."""
+    return np.sort_complex(roots[np.abs(roots) > smallest])
+
+
+def characteristic(A: Array, s: complex) -> complex:
+    """The characteristic polynomial det(s I - A).
+
+    Two matrices of size n share all their roots if these agree at more than n points. Other than the roots
+    themselves, which rounding spreads by its n-th root where they coincide, it is a well-conditioned number.
+    """
+    return complex(np.linalg.det(s * np.eye(len(A)) - A))
+
+
+def moved(system: System, rotation: Array, shift: Array) -> System:
+    """The whole drawing turned by an orthogonal matrix, then shifted: everything in it goes along.
+
+    With a reflection (determinant -1) axes of rotation, moments and spins, being axial vectors, turn round once
+    more: the mirror image of a wheel that rolls forward rolls forward.
+    """
+    hand = float(np.sign(np.linalg.det(rotation)))
+
+    def place(a: Vector) -> Vector:
+        return vector(rotation @ np.array(a) + shift)
+
+    def polar(a: Vector) -> Vector:
+        return vector(rotation @ np.array(a))
+
+    def axial(a: Vector) -> Vector:
+        return vector(hand * rotation @ np.array(a))
+
+    def moved_body(item: Body) -> Body:
+        return item._replace(
+            centre=place(item.centre),
+            inertia=tensor(rotation @ np.array(item.inertia) @ rotation.T),
+            velocity=polar(item.velocity),
+            spin=axial(item.spin),
+        )
+
+    def moved_connection(item: Connection) -> Connection:
+        first, second = item.places
+        return item._replace(
+            places=(place(first), place(second)),
+            force_axis=polar(item.force_axis),
+            moment_axis=axial(item.moment_axis),
+            rolling_axis=None if item.rolling_axis is None else axial(item.rolling_axis),
+            upright=None if item.upright is None else polar(item.upright),
+        )
+
+    def moved_load(item: Load) -> Load:
+        return item._replace(place=place(item.place), force=polar(item.force), moment=axial(item.moment))
+
+    def moved_output(item: Output) -> Output:
+        return item._replace(terms=tuple((weight, moved_connection(term)) for weight, term in item.terms))
+
+    return System(
+        tuple(moved_body(item) for item in system.bodies),
+        polar(system.gravity),
+        tuple(item._replace(connection=moved_connection(item.connection)) for item in system.constraints),
+        tuple(moved_connection(item) for item in system.rolling),
+        tuple(item._replace(connection=moved_connection(item.connection)) for item in system.elastic),
+        tuple(item._replace(connection=moved_connection(item.connection)) for item in system.slip),
+        tuple(moved_load(item) for item in system.loads),
+        tuple(item._replace(connection=moved_connection(item.connection)) for item in system.inputs),
+        tuple(moved_output(item) for item in system.outputs),
+    )
