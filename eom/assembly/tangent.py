@@ -62,7 +62,10 @@ def arm_changes(connection: Connection, arm_1: Array, arm_2: Array) -> tuple[Arr
     carried = np.eye(3)
     if connection.rolling_axis is not None:
         rho = unit(connection.rolling_axis)
-        carried -= np.outer(rho, rho)
+        # of a cambered wheel the part of its axis along the road's normal still carries the contact point
+        n = unit(connection.force_axis) if connection.forces == 1 else np.zeros(3)
+        k = rho - n * (n @ rho)
+        carried -= np.outer(rho, k) / (k @ rho)
     first[:, THETA1] = -skew(arm_1) @ carried
     if connection.line:
         second[:, THETA2] = -skew(arm_2)

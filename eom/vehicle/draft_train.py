@@ -67,6 +67,7 @@ def resolve_use(draft: Draft, description: Description, name: str, item: Unit | 
         if not registry.excuses(item.use):
             known = description.templates
             registry.report((*path, "use"), f"unknown template '{item.use}'{did_you_mean(item.use, known)}")
+            registry.broken.add(item.use)
         return Unit.model_construct(bodies={}), {}, path
     for need in template.needs:
         if need not in item.with_:
@@ -127,6 +128,8 @@ def coupling_places(draft: Draft, description: Description, order: list[str]) ->
 def draft_unit_bodies(draft: Draft, name: str, unit: Unit, unit_draft: UnitDraft) -> None:
     """Add a unit's bodies, named ``unit_body``."""
     draft.claim(name, ("units", name))
+    if not (unit.bodies or draft.registry.broken):
+        draft.registry.report((*unit_draft.path, "bodies"), "a unit has at least one body")
     path = (*unit_draft.path, "bodies")
     images = with_mirror_images(unit.bodies, lambda key, what: draft.registry.report((*path, key), what))
     for key, (written, body) in images.items():

@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 from typing import cast
 
 from eom.vehicle.elements import Vector
-from eom.vehicle.expression import Expression, Name, Number, names, substitute
+from eom.vehicle.expression import Binary, Call, Expression, Name, Number, names, substitute
 from eom.vehicle.quantity import Quantity
 from eom.vehicle.source import Path
 from eom.vehicle.units import Dimension, parse_unit, stated_in
@@ -30,13 +30,15 @@ class Live:
 class Registry:
     """Collects live numbers, the expressions made of them, and the mistakes made in referring to them.
 
-    Names in ``broken`` belong to parts left out because of mistakes: referring to them is no further one.
+    ``computed`` tells which parameters a number without a name of its own is made of. Names in ``broken`` belong
+    to parts left out because of mistakes: referring to them is no further one.
     """
 
     parameters: dict[str, Live] = field(default_factory=dict)
     mistakes: list[tuple[Path, str]] = field(default_factory=list)
     broken: set[str] = field(default_factory=set)
     expressions: list[tuple[Expression, Path]] = field(default_factory=list)
+    computed: dict[str, tuple[str, ...]] = field(default_factory=dict)
 
     def excuses(self, name: str) -> bool:
         """Whether a name is, or is composed of, one that was left out."""
@@ -58,15 +60,22 @@ class Registry:
         return expression
 
     def check_dimension(self, expression: Expression, unit: str, path: Path) -> None:
-        """A bare parameter must have the dimension of the place where it stands."""
-        if isinstance(expression, Name) and unit != "*":
-            live = self.parameters.get(expression.name)
-            if live and live.dimension is not None and live.dimension != parse_unit(unit)[1]:
-                self.report(
-                    path,
-                    f"the parameter '{expression.name}' is {stated_in(live.dimension)}, "
-                    f"expected {unit or 'a plain number'}",
-                )
+        """An expression whose dimension its parameters tell must have that of the place where it stands."""
+        own = self.dimension(expression)
+        if unit != "*" and own is not None and own != parse_unit(unit)[1]:
+            what = f"the parameter '{expression.name}'" if isinstance(expression, Name) else "this expression"
+            self.report(path, f"{what} is {stated_in(own)}, expected {unit or 'a plain number'}")
+
+    def dimension(self, expression: Expression) -> Dimension | None:
+        """Dimension of a sum or of a parameter; None where plain numbers and factors leave it open."""
+        match expression:
+            case Name(name) if name in self.parameters:
+                return self.parameters[name].dimension
+            case Call("negative", argument):
+                return self.dimension(argument)
+            case Binary("+" | "-", left, right):
+                return self.dimension(left) or self.dimension(right)
+        return None
 
     def number(self, quantity: Quantity, name: str, path: Path, scope: dict[str, Expression] | None = None) -> float:
         """What stands for a quantity in the draft: a literal becomes the parameter *name*.
@@ -78,7 +87,9 @@ class Registry:
                 quantity.expression, quantity.unit, f"{name.replace('.', ' ')}", path, dimension=quantity.dimension
             )
             return cast("float", Name(name))
-        return cast("float", self.resolve(quantity, path, scope or {}))
+        expression = self.resolve(quantity, path, scope or {})
+        self.computed[name] = tuple(names(expression))
+        return cast("float", expression)
 
     def place(
         self,

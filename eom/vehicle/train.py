@@ -57,7 +57,7 @@ class Axle(Strict):
 class Unit(Strict):
     """A vehicle unit in its own frame: x forward, y left, z up from the ground."""
 
-    bodies: dict[Identifier, Body] = Field(min_length=1, max_length=MAX_PARTS)
+    bodies: dict[Identifier, Body] = Field(max_length=MAX_PARTS)
     suspensions: dict[Identifier, Suspension] = Field(default_factory=dict, max_length=MAX_PARTS)
     axle_groups: dict[Identifier, AxleGroup] = Field(default_factory=dict, max_length=MAX_PARTS)
     axles: dict[Identifier, Axle] = Field(default_factory=dict, max_length=MAX_PARTS)

@@ -21,8 +21,7 @@ def override(registry: Registry, overrides: Mapping[str, str | float]) -> list[s
     for name, value in overrides.items():
         live = registry.parameters.get(name)
         if live is None:
-            guess = did_you_mean(name, registry.parameters)
-            mistakes.append(f"cannot set '{name}': there is no such parameter{guess}")
+            mistakes.append(f"cannot set '{name}': {why_unknown(name, registry)}")
             continue
         try:
             quantity = parse_quantity(value, live.unit)
@@ -34,6 +33,13 @@ def override(registry: Registry, overrides: Mapping[str, str | float]) -> list[s
             continue
         registry.parameters[name] = replace(live, default=quantity.expression)
     return mistakes
+
+
+def why_unknown(name: str, registry: Registry) -> str:
+    """Why a name cannot be set, and what can be instead."""
+    if name in registry.computed:
+        return f"it is computed from {', '.join(registry.computed[name]) or 'numbers'}"
+    return f"there is no such parameter{did_you_mean(name, registry.parameters)}"
 
 
 def check_known(name: str, registry: Registry) -> None:

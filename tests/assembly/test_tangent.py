@@ -249,6 +249,27 @@ def test_contact_of_a_disc_rolling_on_a_body_is_its_lowest_point_there(
 
 
 @examples
+@given(places, places, axes, axes, st.floats(-0.6, 0.6), st.floats(-100.0, 100.0))
+def test_a_cambered_disc_touches_with_its_lowest_point(
+    centre: tuple[float, float, float],
+    platform: tuple[float, float, float],
+    normal: tuple[float, float, float],
+    ahead: tuple[float, float, float],
+    camber: float,
+    load: float,
+) -> None:
+    """The load acts along the plane's normal; up to 34 degrees of camber."""
+    up, upright_axle, _ = disc(centre, normal, ahead)
+    axle = np.cos(camber) * upright_axle + np.sin(camber) * up
+    down = -unit(up - axle * (axle @ up))
+    centres, place = two(centre, platform), vector(np.array(centre) + 0.5 * down)
+    connection = Connection("contact", (0, 1), (place, place), 1, vector(up), rolling_axis=vector(axle))
+    found = stiffness(connection, centres, np.array([load]))
+    expected = -derivative(disc_law(centres, 0.5, axle, up, load * up))
+    np.testing.assert_allclose(found, expected, rtol=0.0, atol=10.0 * TOLERANCE)
+
+
+@examples
 @given(places, places, places, places, forces, forces, st.sampled_from(("line", "point", "upright")))
 def test_ground_is_a_body_that_does_not_move(
     c1: tuple[float, float, float],
