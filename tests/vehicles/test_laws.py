@@ -86,7 +86,7 @@ def test_without_dampers_and_tyres_energy_is_kept(name: str) -> None:
     assert np.max(np.abs(roots.real)) < 1e-6 * np.max(np.abs(roots))
 
 
-@pytest.mark.parametrize("name", TRAINS)
+@pytest.mark.parametrize("name", NAMES)
 def test_turning_the_drawing_with_everything_on_it_changes_no_root_and_no_transfer_function(name: str) -> None:
     system = vehicle(name).system
     rotation = Rotation.from_euler("zyx", [37.0, 20.0, -11.0], degrees=True).as_matrix()
