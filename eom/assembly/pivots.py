@@ -31,17 +31,22 @@ def pivoted_elimination(matrix: Array, preference: Array) -> tuple[list[int], li
     SciPy for its pivoted QR would make ``eom check`` take half as long again.
     """
     work = matrix / np.maximum(np.max(np.abs(matrix), axis=1, initial=0.0), 1e-300)[:, np.newaxis]
+    size = np.abs(work) * preference
     kept: list[int] = []
     chosen: list[int] = []
     while len(kept) < min(work.shape):
-        row, column = np.unravel_index(int(np.argmax(np.abs(work) * preference)), work.shape)
+        row, column = (int(k) for k in np.unravel_index(int(np.argmax(size)), work.shape))
         if np.abs(work[row, column]) <= RANK_TOLERANCE:
             break
-        kept.append(int(row))
-        chosen.append(int(column))
-        work = work - np.outer(work[:, column] / work[row, column], work[row])
+        kept.append(row)
+        chosen.append(column)
+        # joints touch two bodies: few rows share a column
+        touched = np.flatnonzero(work[:, column])
+        work[touched] -= np.outer(work[touched, column] / work[row, column], work[row])
         work[row] = 0.0
         work[:, column] = 0.0
+        size[touched] = np.abs(work[touched]) * preference
+        size[row] = 0.0
     return sorted(kept), sorted(chosen)
 
 
