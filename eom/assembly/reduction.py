@@ -16,7 +16,9 @@ from eom.assembly.vectors import Array, skew, unit
 from eom.vehicle.elements import Body, System
 
 CYCLIC_TOLERANCE = 1e-11
-PIVOT_TOLERANCE = 1e-11
+ROUNDING = 1e-11
+# below this the reduced equations would lose more than half of their digits
+PIVOT_TOLERANCE = 1e-6
 MASS_TOLERANCE = 1e-10
 
 
@@ -55,6 +57,15 @@ class Reduction(NamedTuple):
     Z: Array
     independent: Array
     independent_velocities: Array
+
+
+class RateError(ValueError):
+    """An acceleration that would need the rate of an input."""
+
+    def __init__(self, output: str, name: str) -> None:
+        self.output = output
+        what = "measure a body that the moving damper does not act on"
+        super().__init__(f"output {output} would follow the rate of input {name}: {what}")
 
 
 class StateSpace(NamedTuple):
@@ -101,9 +112,7 @@ def reduce_coordinates(matrices: Matrices, pivots: Pivots) -> Reduction:
         Z -= T[:, lost] @ np.linalg.solve((Jn @ T)[:, lost], Jn @ Z)
     W = T @ Tn
     # a rolling row that depends on the joints is left out above: it must hold by itself
-    if np.any(
-        np.abs(matrices.Jn @ Z) > PIVOT_TOLERANCE * (np.abs(matrices.Jn) @ np.abs(Z) + np.max(np.abs(Z), initial=0.0))
-    ):
+    if np.any(np.abs(matrices.Jn @ Z) > ROUNDING * (np.abs(matrices.Jn) @ np.abs(Z) + np.max(np.abs(Z), initial=0.0))):
         message = "a rolling condition contradicts the joints: they let it hold only at one displacement"
         raise ValueError(message)
     return Reduction(T, W, Z, independent, independent[kept])
@@ -237,8 +246,8 @@ def state_space(system: System, matrices: Matrices, pivots: Pivots) -> StateSpac
     """Minimal state space with accelerations that include the constraint reactions.
 
     Where an input acts through its rate (a damper moved at its far end), the velocities n are counted less the
-    jump that the input gives them, so that only u itself remains. Raises ``ValueError`` for an acceleration
-    that would need the rate of an input.
+    jump that the input gives them, so that only u itself remains. Raises `RateError` for an acceleration
+    that would need the rate of an input, ``ValueError`` for a motion without mass.
     """
     reduction = reduce_coordinates(matrices, pivots)
     if massless_motion(matrices, reduction) is not None:
@@ -254,13 +263,9 @@ def state_space(system: System, matrices: Matrices, pivots: Pivots) -> StateSpac
     velocities = np.hstack([reduction.Z, W])
     for k, output in enumerate(system.outputs):
         row = output_row(system, k) @ velocities
-        needed = np.abs(row @ jump) > PIVOT_TOLERANCE * (np.abs(row) @ np.abs(jump))
+        needed = np.abs(row @ jump) > ROUNDING * (np.abs(row) @ np.abs(jump))
         if output.quantity == "acceleration" and np.any(needed):
-            message = (
-                f"output {output.name} would follow the rate of input {system.inputs[int(np.argmax(needed))].name}"
-                ": measure a body that the moving damper does not act on"
-            )
-            raise ValueError(message)
+            raise RateError(output.name, system.inputs[int(np.argmax(needed))].name)
     C, D = output_matrices(system, matrices.V, positions, velocities, (velocities @ A, velocities @ B))
     B, D = B + A @ jump, D + C @ jump
     A, X, X_inverse = count_from_cyclic(A, system.bodies, reduction, pivots)

@@ -57,6 +57,9 @@ def modes(
     from eom.cli.modes import run_modes, run_sweep  # noqa: PLC0415
 
     if sweep is None:
+        if out is not None:
+            message = "--out goes with --sweep: without it nothing is written"
+            raise typer.BadParameter(message)
         run_modes(file, settings or [])
     else:
         run_sweep(file, settings or [], sweep, out or Path("build"))

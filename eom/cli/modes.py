@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import typer
 
-from eom.cli.settings import UsageError, load_with
+from eom.cli.settings import UsageError, load_with, parse_settings
 from eom.errors import EomError
 from eom.model.linear import linearise
 from eom.model.modes import Modes
@@ -49,12 +49,14 @@ def run_sweep(file: Path, settings: list[str], sweep: str, out: Path) -> None:
     An interrupt, or a value that the vehicle refuses, ends the sweep; what was computed until then is kept.
     """
     name, values, unit = parse_sweep(sweep)
+    if name in parse_settings(settings):
+        raise UsageError(f"--set {name}: the sweep sets it")
     results: list[Modes] = []
     title = ""
     try:
         with typer.progressbar(values, label=name, hidden=len(values) < MANY, file=sys.stderr) as progress:
             for value in progress:
-                vehicle = load_with(file, settings, **{name: f"{value!r} {unit}" if unit else value})
+                vehicle = load_with(file, settings, {name: f"{value!r} {unit}" if unit else value})
                 results.append(linearise(vehicle).modes())
                 title = f"{vehicle.name}: root locus"
     except (KeyboardInterrupt, EomError) as end:

@@ -2,7 +2,9 @@
 
 import ast
 import inspect
+import keyword
 import re
+import sys
 import textwrap
 from collections.abc import Mapping
 from importlib.metadata import version
@@ -43,7 +45,9 @@ def write_module(vehicle: Vehicle | Assembly, folder: str | Path) -> Path:
 def module_name(vehicle: Vehicle) -> str:
     """A Python identifier from the vehicle file's name."""
     stem = re.sub(r"\W", "_", Path(vehicle.file).stem) or "vehicle"
-    return stem if stem.isidentifier() else f"vehicle_{stem}"
+    # a module called numpy or class could not be imported, or would hide what it needs
+    taken = keyword.iskeyword(stem) or stem in sys.stdlib_module_names or stem == "numpy"
+    return f"vehicle_{stem}" if taken or not stem.isidentifier() else stem
 
 
 def module_text(vehicle: Vehicle | Assembly) -> str:
@@ -80,7 +84,7 @@ def module_text(vehicle: Vehicle | Assembly) -> str:
             for key, item in live.items()
             if item.minimum is not None or item.maximum is not None
         ],
-        zeros=[(python_text(item, parameter_text), literal(what)) for item, _, what in zeros],
+        zeros=[(python_text(item, parameter_text), literal(f"{path[1]}: {what}")) for item, path, what in zeros],
         bodies=[(constant_name(body.name), k) for k, body in enumerate(draft.bodies)],
         variables=variables,
         gravity=writer.text(draft.gravity, 8, len("gravity=,")),

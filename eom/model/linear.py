@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from eom.assembly.reduction import cyclic_basis, state_space
+from eom.assembly.reduction import RateError, cyclic_basis, state_space
 from eom.assembly.vectors import Array
 from eom.errors import OutputError
 from eom.model.assembly import Assembly, assemble
@@ -103,8 +103,8 @@ def linearise(vehicle: Vehicle | Assembly) -> LinearModel:
     system = assembly.system
     try:
         model = state_space(system, assembly.matrices, assembly.pivots)
-    except ValueError as error:
-        raise OutputError(f"{assembly.vehicle.file}: {error}") from None
+    except RateError as error:
+        raise OutputError(str(assembly.vehicle.mistake(error.output, str(error)))) from None
     names, units = state_names(assembly)
     return LinearModel(
         *model,

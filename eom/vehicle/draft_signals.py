@@ -127,9 +127,10 @@ def draft_sensor(draft: Draft, name: str, item: parts.Sensor, path: Path) -> Non
         other = draft.body(item.relative_to, (*path, "relative_to"))
         if not unit.bodies:
             return
-        terms = whole_mass_terms(draft, unit, axis)
-        if other != GROUND:
-            terms = (*terms, (-ONE, along(draft, other, axis)))
+        terms = tuple(
+            (weight, connection._replace(bodies=(connection.bodies[0], other)))
+            for weight, connection in whole_mass_terms(draft, unit, axis)
+        )
     else:
         body = draft.body(item.body or "", (*path, "body"))
         other = draft.body(item.relative_to, (*path, "relative_to"))

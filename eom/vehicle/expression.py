@@ -266,7 +266,7 @@ def python_text(expression: Expression, show_name: Callable[[str], str] = str, o
     """
     match expression:
         case Number(value):
-            text, own = repr(value), PRECEDENCE["negative"] if value < 0 else 9
+            text, own = repr(value), PRECEDENCE["negative"] if math.copysign(1.0, value) < 0.0 else 9
         case Name(name):
             text, own = show_name(name), 9
         case Call("negative", argument):

@@ -54,7 +54,7 @@ class Vehicle:
         return self.source.mistake(path, what)
 
 
-def load(path: str | FilePath, **overrides: str | float) -> Vehicle:
+def load(path: str | FilePath, /, **overrides: str | float) -> Vehicle:
     """Read a vehicle file; any parameter can be overridden by keyword.
 
     Parameters
@@ -79,7 +79,7 @@ def load(path: str | FilePath, **overrides: str | float) -> Vehicle:
     return loads(raw, str(path), **overrides)
 
 
-def loads(text: str | bytes, file: str = "<text>", **overrides: str | float) -> Vehicle:
+def loads(text: str | bytes, file: str = "<text>", /, **overrides: str | float) -> Vehicle:
     """The vehicle that a text describes; see `load`."""
     try:
         raw = text.encode() if isinstance(text, str) else text

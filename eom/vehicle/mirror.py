@@ -61,6 +61,7 @@ def reflect(part: Part) -> Part:
         (("between",), lambda names: tuple(map(other_side, names))),
         (("ends",), lambda ends: tuple(map(polar, ends))),
         (("inertia",), reflect_inertia),
+        (("feedthrough",), lambda gains: {other_side(name): gain for name, gain in gains.items()}),
     )
     for fields, change in changes:
         for field in fields:

@@ -15,7 +15,7 @@ XYZ = ("x", "y", "z")
 
 @dataclass(frozen=True)
 class Live:
-    """A number that a user may change: its default, bounds and meaning."""
+    """A number that a user may change: its default, bounds and meaning; ``overridden`` from outside the file."""
 
     default: Expression
     unit: str
@@ -24,6 +24,7 @@ class Live:
     minimum: Expression | None = None
     maximum: Expression | None = None
     dimension: Dimension | None = None
+    overridden: bool = False
 
 
 @dataclass

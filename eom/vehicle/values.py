@@ -4,12 +4,13 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any, cast
 
+from eom.errors import Mistake
 from eom.vehicle.draft import Draft
 from eom.vehicle.expression import Expression, evaluate, names
 from eom.vehicle.quantity import parse_quantity
 from eom.vehicle.registry import Live, Registry
 from eom.vehicle.source import Path, Source
-from eom.vehicle.units import Dimension, show_dimension, stated_in
+from eom.vehicle.units import Dimension, parse_unit, show_dimension, stated_in
 from eom.vehicle.validate import did_you_mean
 
 MAX_RING = 8
@@ -25,13 +26,14 @@ def override(registry: Registry, overrides: Mapping[str, str | float]) -> list[s
             continue
         try:
             quantity = parse_quantity(value, live.unit)
-            check_same(live.dimension, quantity.dimension, value)
             for needed in names(quantity.expression):
                 check_known(needed, registry)
+            wanted = live.dimension if live.unit == "*" else parse_unit(live.unit)[1]
+            check_same(wanted, quantity.dimension or registry.dimension(quantity.expression), value)
         except ValueError as error:
             mistakes.append(f"cannot set '{name}': {error}")
             continue
-        registry.parameters[name] = replace(live, default=quantity.expression)
+        registry.parameters[name] = replace(live, default=quantity.expression, overridden=True)
     return mistakes
 
 
@@ -64,7 +66,7 @@ def parameter_values(registry: Registry, source: Source) -> dict[str, float]:
     def settle(name: str, trail: tuple[str, ...]) -> None:
         live = registry.parameters[name]
         if state.get(name) == "open":
-            source.report(live.path, f"is computed from itself: {show_ring([*trail[trail.index(name) :], name])}")
+            blame(source, name, live, f"is computed from itself: {show_ring([*trail[trail.index(name) :], name])}")
             return
         if name in state:
             return
@@ -77,13 +79,21 @@ def parameter_values(registry: Registry, source: Source) -> dict[str, float]:
             try:
                 values[name] = evaluate(live.default, values)
             except ValueError as error:
-                source.report(live.path, str(error))
+                blame(source, name, live, str(error))
 
     for name in registry.parameters:
         settle(name, ())
     for name, live in registry.parameters.items():
         check_bounds(name, live, values, source)
     return values
+
+
+def blame(source: Source, name: str, live: Live, what: str) -> None:
+    """Report a value where it stands in the file, or by name if it was set from outside."""
+    if live.overridden:
+        source.mistakes.append(Mistake(source.file, 0, 0, "", f"cannot set '{name}': it {what}"))
+    else:
+        source.report(live.path, what)
 
 
 def show_ring(ring: list[str]) -> str:
@@ -102,7 +112,7 @@ def check_bounds(name: str, live: Live, values: Mapping[str, float], source: Sou
             # check_expressions reports it where it stands
             continue
         if sign * (values[name] - limit) > 0.0:
-            source.report(live.path, f"is {values[name]:g}, but at {word} {limit:g} is allowed (SI units)")
+            blame(source, name, live, f"is {values[name]:g}, but at {word} {limit:g} is allowed (SI units)")
 
 
 def check_expressions(registry: Registry, values: Mapping[str, float], source: Source) -> None:
