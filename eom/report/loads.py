@@ -17,16 +17,19 @@ class TrimLoads(NamedTuple):
     supports : dict
         On the body by the ground, force and moment by support.
     axles : dict
-        Vertical load of each axle [N] whose group has a support of its own, shared equally in the group.
+        Vertical load of each axle [N], shared equally in its group; None if the group has no support of its own.
     couplings : dict
         On the towed unit by the one ahead, force and moment by coupling.
+    preloads : dict
+        Tensions and preloads of springs, bushings and tyres, one per row; those that carry nothing are left out.
     hold : float or None
         Force along x that holds the lead body's speed; None if the speed is free.
     """
 
     supports: dict[str, tuple[Array, Array]]
-    axles: dict[str, float]
+    axles: dict[str, float | None]
     couplings: dict[str, tuple[Array, Array]]
+    preloads: dict[str, float]
     hold: float | None
 
 
@@ -45,10 +48,14 @@ def trim_loads(assembly: Assembly) -> TrimLoads:
     return TrimLoads(
         {name: joints[name] for name in draft.supports},
         {
-            axle: float(joints[group][0][2]) / groups.count(group)
+            axle: float(joints[group][0][2]) / groups.count(group) if group in draft.supports else None
             for axle, group in draft.axles.items()
-            if group in draft.supports
         },
         {name: joints[name] for name in draft.couplings},
+        {
+            name: float(tension)
+            for name, tension in zip(assembly.elastic_rows, assembly.matrices.statics.tensions, strict=True)
+            if abs(tension) > assembly.matrices.statics.limit
+        },
         float(joints["trim.hold"][0][0]) if "trim.hold" in joints else None,
     )

@@ -19,7 +19,7 @@ def summary(assembly: Assembly) -> str:
         "\n".join(heading(assembly)),
         "\n".join(counts(assembly)),
         "\n".join(trim(assembly)),
-        *load_tables(trim_loads(assembly), bool(assembly.vehicle.draft.axles)),
+        *load_tables(trim_loads(assembly)),
     ]
     return "\n\n".join(blocks) + "\n"
 
@@ -73,17 +73,26 @@ def trim(assembly: Assembly) -> Iterator[str]:
     yield f"equilibrium         by {how}, largest remainder {worst:.1e} N or N m"
 
 
-def load_tables(loads: TrimLoads, has_axles: bool) -> Iterator[str]:
+def load_tables(loads: TrimLoads) -> Iterator[str]:
     """Tables of the loads that there are."""
     if loads.supports:
         yield table(
             ("support", "force z [N]", "moment x [N m]", "moment y [N m]"),
             ((name, number(f[2]), number(m[0]), number(m[1])) for name, (f, m) in loads.supports.items()),
         )
-    if loads.axles:
-        yield table(("axle", "load [N]"), ((name, number(load)) for name, load in loads.axles.items()))
-    elif has_axles:
-        yield "axle loads: not told apart, as whole units are supported; give the axle groups a 'support' each"
+    known = {name: load for name, load in loads.axles.items() if load is not None}
+    if known:
+        yield table(("axle", "load [N]"), ((name, number(load)) for name, load in known.items()))
+    if len(known) < len(loads.axles):
+        others = ", ".join(name for name in loads.axles if name not in known)
+        yield textwrap.fill(
+            f"loads of {others} are not told apart: their axle groups have no 'support' of their own", 100
+        )
+    if loads.preloads:
+        yield table(
+            ("spring, bushing or tyre", "preload [N, N m]"),
+            ((name, number(load)) for name, load in loads.preloads.items()),
+        )
     if loads.couplings:
         yield table(
             ("coupling, on the towed unit", "force x [N]", "force y [N]", "force z [N]"),

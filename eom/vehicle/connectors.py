@@ -1,8 +1,8 @@
 """Connectors between bodies: joints, springs, supports, tyres."""
 
-from typing import Annotated, Literal
+from typing import Annotated, Literal, Self
 
-from pydantic import BeforeValidator, Field
+from pydantic import BeforeValidator, Field, model_validator
 
 from eom.vehicle.parts import Flag, Identifier, Strict, not_a_flag
 from eom.vehicle.quantity import AngularDamping, AngularStiffness, Axis, Damping, Place, Stiffness
@@ -49,6 +49,21 @@ class FlexPoint(PointConnector):
     angular_stiffness: AngularStiffness | None = None
     angular_damping: AngularDamping | None = None
 
+    @model_validator(mode="after")
+    def _acts_somewhere(self) -> Self:
+        for count, kind, values in (
+            (self.forces, "forces", ("stiffness", "damping")),
+            (self.moments, "moments", ("angular_stiffness", "angular_damping")),
+        ):
+            given = [name for name in values if getattr(self, name) is not None]
+            if given and not count:
+                message = f"has '{given[0]}' but no '{kind}' for it to act along"
+                raise ValueError(message)
+            if count and not given:
+                message = f"has '{kind}' but neither '{values[0]}' nor '{values[1]}'"
+                raise ValueError(message)
+        return self
+
 
 class LineConnector(Strict):
     """A line from a place on the first body to a place on the second one."""
@@ -71,6 +86,13 @@ class Spring(LineConnector):
     stiffness: Stiffness | None = None
     damping: Damping | None = None
 
+    @model_validator(mode="after")
+    def _acts(self) -> Self:
+        if self.stiffness is None and self.damping is None:
+            message = "needs 'stiffness', 'damping' or both"
+            raise ValueError(message)
+        return self
+
 
 class Support(Strict):
     """What carries a body on the ground at a place: vertically, and in roll or pitch if said."""
@@ -78,7 +100,7 @@ class Support(Strict):
     type: Literal["support"]
     body: Identifier
     at: Place
-    carries: tuple[Literal["z", "roll", "pitch"], ...] = ("z",)
+    carries: tuple[Literal["z", "roll", "pitch"], ...] = Field(default=("z",), min_length=1, max_length=3)
     mirror: Flag = False
 
 
@@ -110,3 +132,4 @@ Connector = Annotated[
     RigidPoint | RollingPoint | FlexPoint | Link | Spring | Support | SlipDamper | TyreConnector,
     Field(discriminator="type"),
 ]
+CONNECTOR_TYPES = ("rigid_point", "nh_point", "flex_point", "link", "spring", "support", "slip_damper", "tyre")

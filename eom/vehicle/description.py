@@ -18,13 +18,17 @@ from eom.vehicle.parts import (
     Tyre,
     as_mapping,
 )
-from eom.vehicle.quantity import Acceleration
+from eom.vehicle.quantity import Acceleration, Any_
 from eom.vehicle.train import Coupling, Template, Unit, UnitUse
 
 Vector3 = tuple[Acceleration, Acceleration, Acceleration]
 AnyUnit = Annotated[
     Annotated[Unit, Tag("unit")] | Annotated[UnitUse, Tag("use")],
     Discriminator(lambda value: "use" if isinstance(value, UnitUse) or "use" in as_mapping(value) else "unit"),
+]
+AnyParameter = Annotated[
+    Annotated[Parameter, Tag("described")] | Annotated[Any_, Tag("plain")],
+    Discriminator(lambda value: "described" if isinstance(value, (dict, Parameter)) else "plain"),
 ]
 Gravity = Annotated[
     Annotated[Acceleration, Tag("down")] | Annotated[Vector3, Tag("vector")],
@@ -42,7 +46,7 @@ class Description(Strict):
     source: str = ""
     gravity: Gravity | None = None
     trim: Trim | None = None
-    parameters: dict[Identifier, Parameter] = Field(default_factory=dict, max_length=MAX_PARTS)
+    parameters: dict[Identifier, AnyParameter] = Field(default_factory=dict, max_length=MAX_PARTS)
     bodies: dict[Identifier, Body] = Field(default_factory=dict, max_length=MAX_PARTS)
     connectors: dict[Identifier, Connector] = Field(default_factory=dict, max_length=MAX_PARTS)
     loads: dict[Identifier, Load] = Field(default_factory=dict, max_length=MAX_PARTS)

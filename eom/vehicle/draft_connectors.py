@@ -33,23 +33,30 @@ def draft_connector(
         case Link() | Spring():
             draft_line(draft, name, item, path, site)
         case Support():
-            place = add(site.origin, draft.registry.place(item.at, f"{name}.at", (*path, "at"), site.scope))
-            body = draft.body(item.body, (*path, "body"), site.bodies)
+            place, body = standing(draft, name, item, path, site)
             draft_support(draft, name, body, place, item.carries)
         case SlipDamper():
-            place = add(site.origin, draft.registry.place(item.at, f"{name}.at", (*path, "at"), site.scope))
-            body = draft.body(item.body, (*path, "body"), site.bodies)
+            place, body = standing(draft, name, item, path, site)
             axis = draft.registry.axis(item.axis, (*path, "axis"), site.scope)
             c = draft.registry.number(item.damping, f"{name}.damping", (*path, "damping"), site.scope)
             coefficients = ((c,),) if item.forces == 1 else ((c, ZERO), (ZERO, c))
             connection = draft.connection(name, (body, GROUND), place, forces=item.forces, force_axis=axis)
             draft.slip.append(Slip(connection, coefficients))
         case TyreConnector():
-            place = add(site.origin, draft.registry.place(item.at, f"{name}.at", (*path, "at"), site.scope))
-            body = draft.body(item.body, (*path, "body"), site.bodies)
+            place, body = standing(draft, name, item, path, site)
             tyre = find_tyre(draft, tyres, item.tyre, (*path, "tyre"))
             if tyre is not None:
                 draft_tyre(draft, name, (body, item.tyre, tyre), place, item.wheels, item.steered)
+
+
+def standing(
+    draft: Draft, name: str, item: Support | SlipDamper | TyreConnector, path: Path, site: Site
+) -> tuple[Vector, int]:
+    """Place and body of a connector that stands on the ground."""
+    if item.body == "ground":
+        draft.registry.report((*path, "body"), "stands on the ground already: name the body that it belongs to")
+    place = add(site.origin, draft.registry.place(item.at, f"{name}.at", (*path, "at"), site.scope))
+    return place, draft.body(item.body, (*path, "body"), site.bodies)
 
 
 def draft_point(draft: Draft, name: str, item: RigidPoint | RollingPoint | FlexPoint, path: Path, site: Site) -> None:
@@ -149,6 +156,14 @@ def find_tyre(draft: Draft, tyres: dict[str, parts.Tyre], name: str, path: Path)
     return None
 
 
+def tyre_numbers(draft: Draft, name: str, tyre: parts.Tyre) -> tuple[float, float | None]:
+    """Cornering stiffness and trail of a tyre."""
+    registry, path = draft.registry, ("tyres", name)
+    cornering = registry.number(tyre.cornering, f"{name}.cornering", (*path, "cornering"))
+    trail = None if tyre.trail is None else registry.number(tyre.trail, f"{name}.trail", (*path, "trail"))
+    return cornering, trail
+
+
 def draft_tyre(
     draft: Draft, name: str, owner: tuple[int, str, parts.Tyre], place: Vector, wheels: int, steered: bool
 ) -> None:
@@ -157,12 +172,9 @@ def draft_tyre(
     F_y = -C (v_y/U - steer) at the contact point; M_z = -trail F_y.
     """
     body, tyre_name, tyre = owner
-    registry = draft.registry
-    path = ("tyres", tyre_name)
-    cornering = registry.number(tyre.cornering, f"{tyre_name}.cornering", (*path, "cornering"))
+    cornering, trail = tyre_numbers(draft, tyre_name, tyre)
     count = wheels if tyre.per == "wheel" else wheels / 2
     C = cast("float", Number(float(count))) * cornering
-    trail = None if tyre.trail is None else registry.number(tyre.trail, f"{tyre_name}.trail", (*path, "trail"))
     connection = draft.connection(
         name, (body, GROUND), place, forces=1, force_axis=Y, moments=0 if trail is None else 1
     )

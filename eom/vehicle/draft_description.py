@@ -4,7 +4,7 @@ from typing import Any
 
 from eom.vehicle.description import Description
 from eom.vehicle.draft import ORIGIN, ZERO, Draft, Site, X
-from eom.vehicle.draft_connectors import draft_connector
+from eom.vehicle.draft_connectors import draft_connector, tyre_numbers
 from eom.vehicle.draft_parts import declare_parameters, draft_body, draft_load
 from eom.vehicle.draft_signals import draft_actuator, draft_sensor
 from eom.vehicle.draft_train import draft_train
@@ -21,8 +21,9 @@ def make_draft(description: Description, broken: frozenset[str]) -> Draft:
     speed = ZERO if trim is None else registry.number(trim.speed, "trim.speed", ("trim", "speed"))
     draft = Draft(registry, speed)
     draft.gravity = gravity(registry, description)
-    for name in description.tyres:
+    for name, tyre in description.tyres.items():
         draft.claim(name, ("tyres", name))
+        tyre_numbers(draft, name, tyre)
     for name, (written, body) in mirrored(draft, description, "bodies").items():
         draft_body(draft, name, body, ("bodies", written), Site())
     draft_train(draft, description)

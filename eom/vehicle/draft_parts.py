@@ -16,7 +16,11 @@ RESERVED = {*keyword.kwlist, *CONSTANTS, *FUNCTIONS, "gravity"}
 
 def declare_parameters(registry: Registry, description: Description) -> None:
     """Enter the declared parameters, then check the names in their values."""
-    for name, item in description.parameters.items():
+    described = {
+        name: item if isinstance(item, parts.Parameter) else parts.Parameter.model_construct(value=item)
+        for name, item in description.parameters.items()
+    }
+    for name, item in described.items():
         path: Path = ("parameters", name, "value")
         if name in RESERVED:
             registry.report(path[:2], f"'{name}' has a meaning of its own: give the parameter another name")
@@ -29,7 +33,7 @@ def declare_parameters(registry: Registry, description: Description) -> None:
             None if item.max is None else item.max.expression,
             item.value.dimension,
         )
-    for name, item in description.parameters.items():
+    for name, item in described.items():
         for key in ("value", "min", "max"):
             quantity: Quantity | None = getattr(item, key)
             if quantity is None:

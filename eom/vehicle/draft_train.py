@@ -1,5 +1,6 @@
 """The train in a draft: units placed behind each other, their suspensions, axle groups, axles and couplings."""
 
+from dataclasses import replace
 from typing import cast
 
 from eom.vehicle.description import Description
@@ -53,8 +54,31 @@ def draft_train(draft: Draft, description: Description) -> None:
         for signal in roll_moments(draft, unit_draft, unit)
     ]
     draft.inputs += [*moments, *yaw_moments(draft, [unit for unit, _, _ in units.values()])]
+    check_templates(draft, description)
     if draft.units and all(unit.bodies for unit in draft.units):
         draft_train_outputs(draft, dict.fromkeys(rolling), fronts[0] if fronts else None)
+
+
+def check_templates(draft: Draft, description: Description) -> None:
+    """Find needs that a template does not use, and, by drafting each for itself, mistakes of unused templates."""
+    used = {item.use for item in description.units.values() if isinstance(item, UnitUse)}
+    for name, template in description.templates.items():
+        if name in used:
+            for k, need in enumerate(template.needs):
+                if need not in draft.registry.used and not draft.registry.broken:
+                    draft.registry.report(("templates", name, "needs", k), f"nothing in the template uses '{need}'")
+            continue
+        registry = replace(
+            draft.registry,
+            parameters=dict(draft.registry.parameters),
+            broken={*draft.registry.broken, *template.needs},
+        )
+        alone = Draft(registry, draft.speed)
+        unit_draft = UnitDraft(name, {}, ORIGIN, {}, ("templates", name))
+        draft_unit_bodies(alone, name, template, unit_draft)
+        draft_unit(alone, description, unit_draft, template, [])
+        for key, item in template.suspensions.items():
+            draft_suspension(alone, unit_draft, key, item)
 
 
 def resolve_use(draft: Draft, description: Description, name: str, item: Unit | UnitUse) -> tuple[Unit, Scope, Path]:
@@ -197,6 +221,7 @@ def draft_axle(
     x = registry.number(axle.x, f"{name}.x", (*path, "x"), scope)
     contact = add(unit_draft.origin, (x, ZERO, ZERO))
     # a template's argument may name the tyre
+    registry.used.update({axle.tyre} & set(scope))
     tyre_name = getattr(scope.get(axle.tyre), "name", axle.tyre)
     tyre = find_tyre(draft, description.tyres, tyre_name, (*path, "tyre"))
     if tyre is not None and body != GROUND:

@@ -11,7 +11,7 @@ from eom.vehicle.description import Description
 from eom.vehicle.draft import Draft
 from eom.vehicle.draft_description import make_draft
 from eom.vehicle.elements import System
-from eom.vehicle.expression import evaluate
+from eom.vehicle.expression import Expression, evaluate
 from eom.vehicle.source import MAX_BYTES, Source, read_source
 from eom.vehicle.validate import COLLECTIONS, validate
 from eom.vehicle.values import check_expressions, numbers, override, parameter_values
@@ -102,6 +102,8 @@ def loads(text: str | bytes, file: str = "<text>", /, **overrides: str | float) 
     if source.mistakes:
         raise DescriptionError(source.mistakes)
     system = numbers(draft.system(), values, draft, source)
+    if (speed := evaluate(cast("Expression", draft.speed), values)) < 0.0:
+        source.report(("trim", "speed"), f"is {speed:g} m/s: the trim runs forward, along +x")
     for expression, where, what in draft.zeros:
         if abs(evaluate(expression, values)) > 1e-9:
             source.report(where, what)

@@ -31,7 +31,8 @@ class Live:
 class Registry:
     """Collects live numbers, the expressions made of them, and the mistakes made in referring to them.
 
-    ``computed`` tells which parameters a number without a name of its own is made of. Names in ``broken`` belong
+    ``computed`` tells which parameters a number without a name of its own is made of, ``used`` which arguments of
+    templates occur. Names in ``broken`` belong
     to parts left out because of mistakes: referring to them is no further one.
     """
 
@@ -40,6 +41,7 @@ class Registry:
     broken: set[str] = field(default_factory=set)
     expressions: list[tuple[Expression, Path]] = field(default_factory=list)
     computed: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    used: set[str] = field(default_factory=set)
 
     def excuses(self, name: str) -> bool:
         """Whether a name is, or is composed of, one that was left out."""
@@ -51,6 +53,7 @@ class Registry:
 
     def resolve(self, quantity: Quantity, path: Path, scope: dict[str, Expression]) -> Expression:
         """The quantity's expression with a template's arguments filled in; unknown names are reported."""
+        self.used.update(set(names(quantity.expression)) & set(scope))
         expression = substitute(quantity.expression, scope)
         for name in names(expression):
             if name not in self.parameters and not self.excuses(name):

@@ -8,6 +8,7 @@ from typing import Any
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
+from eom.vehicle.connectors import CONNECTOR_TYPES
 from eom.vehicle.description import Description
 from eom.vehicle.expression import shorten
 from eom.vehicle.mirror import other_side
@@ -50,7 +51,7 @@ def validate(source: Source) -> tuple[Description | None, frozenset[str]]:
             return Description.model_validate(data), frozenset(broken)
         except ValidationError as error:
             # the whole round first, as leaving out one part would hide the others' places
-            found = [(file_path(item["loc"], data), item) for item in error.errors(include_url=False)]
+            found = [(file_path(item["loc"], data, item["type"]), item) for item in error.errors(include_url=False)]
             meant = {
                 (*path[:-1], meant_key(str(path[-1]))) for path, item in found if item["type"] == "extra_forbidden"
             }
@@ -74,14 +75,14 @@ def is_consequence(path: Path, item: ErrorDetails, emptied: set[Path]) -> bool:
     return without_value or (item["type"] == "too_short" and path in emptied)
 
 
-def file_path(location: tuple[str | int, ...], data: object) -> Path:
+def file_path(location: tuple[str | int, ...], data: object, kind: str) -> Path:
     """A pydantic location as a path in the file: without the names of the schema's alternatives."""
     path: list[str | int] = []
     here: Any = data
     for k, step in enumerate(location):
         if contains(here, step):
             here = here[step]
-        elif k + 1 < len(location) or step == "[key]" or (isinstance(here, dict) and step in ALTERNATIVES):
+        elif k + 1 < len(location) or (kind != "missing" and step in ALTERNATIVES):
             continue
         path.append(step)
     return tuple(path)
@@ -95,7 +96,9 @@ def contains(here: object, step: str | int) -> bool:
 
 
 # what pydantic puts into locations for the alternatives of a union
-ALTERNATIVES = frozenset({"unit", "use", "down", "vector", "products", "tensor"})
+ALTERNATIVES = frozenset(
+    ("[key]", "unit", "use", "down", "vector", "products", "tensor", "described", "plain", *CONNECTOR_TYPES)
+)
 
 
 def sentence(path: Path, item: ErrorDetails) -> tuple[Path, str]:

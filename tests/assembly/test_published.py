@@ -99,7 +99,7 @@ def test_bicycle_weave_becomes_stable_at_the_published_speed() -> None:
         roots = bicycle_roots(U)
         return float(np.max(roots[np.abs(roots.imag) > 0.1].real))
 
-    assert brentq(weave, 4.0, 5.0, xtol=1e-12) == pytest.approx(4.29238253634111, abs=5e-10)
+    assert brentq(weave, 4.0, 5.0, xtol=1e-12) == pytest.approx(4.29238253634111, abs=5e-11)
 
 
 def test_bicycle_capsize_becomes_unstable_at_the_published_speed() -> None:
@@ -107,7 +107,7 @@ def test_bicycle_capsize_becomes_unstable_at_the_published_speed() -> None:
         roots = bicycle_roots(U)
         return float(np.max(roots[np.abs(roots.imag) < 1e-9].real))
 
-    assert brentq(capsize, 5.5, 7.0, xtol=1e-12) == pytest.approx(6.02426201538837, abs=5e-10)
+    assert brentq(capsize, 5.5, 7.0, xtol=1e-12) == pytest.approx(6.02426201538837, abs=5e-11)
 
 
 def lean_and_steer(U: float, s: complex) -> tuple[Complex, Complex]:

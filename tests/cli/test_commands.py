@@ -157,6 +157,42 @@ def test_mistakes_end_with_a_sentence_and_status_2(
     assert "Traceback" not in captured.err
 
 
+@pytest.mark.parametrize("file", sorted((Path(__file__).parents[1] / "bad_files").glob("*.yaml")), ids=lambda p: p.stem)
+def test_every_bad_file_ends_with_status_2_and_its_place(
+    file: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(monkeypatch, "check", file) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert all(line.startswith(f"{file}:") for line in captured.err.splitlines())
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (["check", FOLDER / "disc.yaml", "--set", "U=1", "--set", "U=2"], "--set U: is given twice"),
+        (["modes", FOLDER / "disc.yaml", "--set", "U=1", "--sweep", "U=1:2:1"], "the sweep sets it"),
+        (["modes", FOLDER / "disc.yaml", "--out", "here"], "--out goes with --sweep"),
+        (["build", FOLDER / "disc.yaml", "--out", __file__], "cannot be written"),
+    ],
+)
+def test_options_that_contradict_each_other_are_refused(
+    arguments: list[object], sentence: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(monkeypatch, *arguments) == 2
+    assert sentence in capsys.readouterr().err
+
+
+def test_check_refuses_what_build_would_refuse(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "car.yaml"
+    sensor = "sensors:\n  axle: {body: unsprung, along: [0, 0, 1], measure: acceleration}"
+    file.write_text((FOLDER / "quarter_car.yaml").read_text().replace("sensors:", sensor))
+    assert run(monkeypatch, "check", file) == 2
+    assert "sensors.axle: output axle would follow the rate of input road" in capsys.readouterr().err
+
+
 def test_help_imports_nothing_heavy() -> None:
     code = (
         "import sys; sys.argv = ['eom', '--help']\n"

@@ -166,3 +166,17 @@ def test_text_of_the_file_cannot_break_out_of_the_module(tmp_path: Path) -> None
     file = file.replace("source: >-", 'source: >-\n  """\n  import os')
     module = imported(eom.loads(file, 'quote".yaml'), tmp_path)
     assert hostile == module.NAME
+
+
+@pytest.mark.parametrize(
+    ("file", "module"), [("numpy", "vehicle_numpy"), ("class", "vehicle_class"), ("1st", "vehicle_1st")]
+)
+def test_no_module_hides_another_one(file: str, module: str, tmp_path: Path) -> None:
+    assert eom.write_module(eom.loads(text("disc"), f"{file}.yaml"), tmp_path).stem == module
+
+
+def test_a_module_near_a_bad_choice_of_coordinates_says_so(tmp_path: Path) -> None:
+    module = imported(vehicle("bicycle"), tmp_path)
+    # without trail the steer angle no longer tells the rear frame's yaw rate
+    with pytest.raises(ValueError, match="choose them anew"):
+        module.linearise({"c": 1e-8})

@@ -21,6 +21,7 @@ connectors:
   rear: {type: tyre, body: frame, at: [-1.4, 0, 0], tyre: tyre}
 """
 
+ENDS = "between: [frame, ground], ends: [[0, 0, 0], [5, 0, 0]]"
 HERE = "between: [frame, ground], at: [0, 0, 0]"
 
 
@@ -65,7 +66,7 @@ def refusal(old: str, new: str, error: type[eom.EomError] = eom.DescriptionError
         ),
         (
             "rear: {type: tyre,",
-            "rope: {type: spring, between: [frame, ground], ends: [[0, 0, 0], [5, 0, 0]]}\n  rear: {type: tyre,",
+            f"rope: {{type: spring, {ENDS}, damping: 1}}\n  rear: {{type: tyre,",
             "car.yaml:13:3: connectors.rope: the trim motion violates this spring or damper",
         ),
     ],

@@ -6,7 +6,7 @@ import pytest
 
 import eom
 from tests.model.test_checks import CAR
-from tests.vehicles.shipped import vehicle
+from tests.vehicles.shipped import text, vehicle
 
 m, I_zz, a, b, C, U = 1500.0, 2200.0, 1.2, 1.4, 80e3, 20.0
 
@@ -66,8 +66,6 @@ def test_slip_feedthrough_makes_a_slip_angle_of_a_velocity() -> None:
 
 
 def test_sensor_of_a_units_whole_mass_centre_is_the_mean_of_its_bodies() -> None:
-    from tests.vehicles.shipped import text
-
     file = text("b_train_yaw_roll") + (
         "sensors:\n"
         "  centre: {centre_of: tractor, along: [0, 1, 0], measure: acceleration}\n"
@@ -118,3 +116,15 @@ connectors:
     assert modes.damping_ratio[0] == pytest.approx(4.0 / (2 * np.sqrt(50.0 * 2.0)))
     assert modes.time_constant[0] == pytest.approx(1.0)
     np.testing.assert_allclose(modes.participation.sum(axis=0), 1.0)
+
+
+def test_a_whole_mass_centre_relative_to_a_body_knows_no_absolute_heading() -> None:
+    file = text("b_train_yaw_plane") + (
+        "sensors:\n"
+        "  centre: {centre_of: semitrailer_1, relative_to: tractor_frame, along: [0, 1, 0], measure: position}\n"
+        "  body: {body: semitrailer_1_frame, relative_to: tractor_frame, along: [0, 1, 0], measure: position}\n"
+    )
+    model = eom.linearise(eom.loads(file))
+    centre, same = (model.C[model.outputs.index(name)] for name in ("centre", "body"))
+    np.testing.assert_array_equal(centre, same)
+    np.testing.assert_array_equal(centre[list(model.cyclic)], 0.0)

@@ -4,7 +4,7 @@ import math
 import re
 
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from eom.vehicle.expression import (
@@ -58,6 +58,7 @@ def test_printed_trees_mean_the_same_to_python_bit_for_bit(tree: Expression) -> 
 
 
 @given(TREES)
+@example(Binary("**", Number(-0.0), Number(0.0)))
 def test_printed_trees_are_read_back(tree: Expression) -> None:
     text = python_text(tree).replace("math.", "")
     if len(text) > 200:

@@ -137,3 +137,31 @@ def test_a_file_is_named_in_its_mistakes(tmp_path: Path) -> None:
     with pytest.raises(eom.DescriptionError) as caught:
         eom.load(path)
     assert str(caught.value) == f"{path}:3:13: bodies.a.mass: '1 m' is in m, expected kg"
+
+
+@pytest.mark.parametrize("name", ["path", "file", "text", "settings", "overrides"])
+def test_a_parameter_may_have_any_name(name: str, tmp_path: Path) -> None:
+    file = tmp_path / "named.yaml"
+    file.write_text(f"name: named\nparameters: {{{name}: 3}}\nbodies: {{a: {{mass: {name}, at: [0, 0, 0]}}}}\n")
+    overrides: dict[str, Any] = {name: 2.0}
+    assert eom.load(file, **overrides).system.bodies[0].mass == 2.0
+
+
+@pytest.mark.parametrize(
+    ("settings", "sentence"),
+    [
+        ({"U": "h_r"}, "cannot set 'U': 'h_r' is in m, expected m/s"),
+        ({"U": 100.0}, "cannot set 'U': it is 100, but at most 44.4444 is allowed"),
+        ({"U": "2*V"}, "cannot set 'U': unknown parameter 'V'"),
+        ({"tractor_ride.at.z": 1.0}, "cannot set 'tractor_ride.at.z': it is computed from h_r"),
+    ],
+)
+def test_a_refused_override_is_called_by_name(settings: dict[str, Any], sentence: str) -> None:
+    with pytest.raises(eom.DescriptionError) as caught:
+        eom.load(TRAIN, **settings)
+    assert sentence in str(caught.value)
+
+
+def test_a_parameter_may_be_a_plain_number_or_quantity() -> None:
+    file = "name: short\nparameters: {m: 2 t, n: 2*m}\nbodies: {a: {mass: n, at: [0, 0, 0]}}\n"
+    assert eom.loads(file).system.bodies[0].mass == 4000.0

@@ -27,7 +27,8 @@ bodies:
 connectors:
   hub_left:
     {type: rigid_point, between: [left_wheel, upright], at: [1, 1, 0.3], forces: 1, axis: [0.6, 0.8, 0], mirror: true}
-  left_spring: {type: spring, between: [rear_left_link, ground], ends: [[0, 0.5, 0.2], [0, 0.4, 1]], mirror: true}
+  left_spring:
+    {type: spring, between: [rear_left_link, ground], ends: [[0, 0.5, 0.2], [0, 0.4, 1]], damping: 1, mirror: true}
 loads:
   left_push: {body: left_wheel, force: [1, 2, 3], moment: [4, 5, 6], frame: left_wheel, mirror: true}
 actuators:
@@ -118,3 +119,17 @@ def test_what_is_not_mirrored_has_no_image() -> None:
 def test_sides_are_whole_words(name: str, image: str) -> None:
     assert other_side(name) == image
     assert other_side(image) == name
+
+
+def test_a_mirrored_sensor_feels_the_mirrored_input() -> None:
+    file = """
+name: two wheels
+bodies:
+  left_wheel: {mass: 10, at: [0, 1, 0], inertia: {xx: 1, yy: 1, zz: 1}, mirror: true}
+actuators:
+  left_road: {body: left_wheel, along: [0, 0, 1], mirror: true}
+sensors:
+  left_deflection: {body: left_wheel, along: [0, 0, 1], measure: position, feedthrough: {left_road: -1}, mirror: true}
+"""
+    outputs = {item.name: item.feedthrough for item in eom.loads(file).system.outputs}
+    assert outputs == {"left_deflection": (("left_road", -1.0),), "right_deflection": (("right_road", -1.0),)}

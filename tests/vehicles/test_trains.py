@@ -180,6 +180,7 @@ def test_loads_of_a_train_on_its_axle_groups_are_those_of_the_levers() -> None:
         assert loads.supports[name][0][2] == pytest.approx(value, abs=0.05)
     assert -loads.couplings["fifth_wheel_1"][0][2] == pytest.approx(-62968.8, abs=0.05)
     assert loads.couplings["fifth_wheel_2"][0][2] == pytest.approx(69428.7, abs=0.05)
+    assert loads.preloads == {}
     assert loads.axles["axle_4"] == pytest.approx(182830.5 / 3, abs=0.05)
 
 
