@@ -184,6 +184,21 @@ def test_loads_of_a_train_on_its_axle_groups_are_those_of_the_levers() -> None:
     assert loads.axles["axle_4"] == pytest.approx(182830.5 / 3, abs=0.05)
 
 
+def test_loads_of_the_tractor_semitrailer_are_those_of_its_table() -> None:
+    from eom.report.loads import trim_loads
+
+    loads = trim_loads(eom.assemble(vehicle("tractor_semitrailer_yaw_plane")))
+    # levers over Table A1's places by hand, g = 9.8
+    hitch = 11665 * 9.8 * 4.507 / 10.0
+    rear = (6525 * 9.8 * 1.115 + hitch * 3.074) / 3.7
+    by_hand = {"axle_1": 6525 * 9.8 + hitch - rear, "axle_2": rear, "axle_3": 11665 * 9.8 * 5.493 / 10.0}
+    assert loads.axles == pytest.approx(by_hand, rel=1e-12)
+    assert loads.couplings["fifth_wheel"][0][2] == pytest.approx(hitch, rel=1e-12)
+    # published for this data in whole newtons, with g = 9.81
+    published = trim_loads(eom.assemble(vehicle("tractor_semitrailer_yaw_plane", gravity=9.81))).axles
+    assert published == pytest.approx({"axle_1": 53447.0, "axle_2": 62139.0, "axle_3": 62858.0}, abs=0.5)
+
+
 def test_vertical_hitch_load_changes_the_roots_as_little_as_published() -> None:
     own = eom.linearise(eom.loads(with_axle_supports())).without_cyclic().A
     other = eom.linearise(vehicle("b_train_yaw_roll")).without_cyclic().A
