@@ -10,7 +10,7 @@ from eom.assembly.vectors import Array
 SHOWN = 0.1
 
 
-def redundant_joints(J: Array, owners: Sequence[str]) -> list[tuple[str, ...]]:
+def redundant_joints(J: Array, owners: Sequence[str], tolerance: float = RANK_TOLERANCE) -> list[tuple[str, ...]]:
     """Groups of joints that lock the same motion, one group for each dimension of redundancy.
 
     *owners* names the joint of each row. The left null vectors of the scaled rows are reduced to echelon form, so
@@ -18,7 +18,7 @@ def redundant_joints(J: Array, owners: Sequence[str]) -> list[tuple[str, ...]]:
     """
     scaled = J / np.maximum(np.linalg.norm(J, axis=1), 1e-300)[:, np.newaxis]
     U, sigma, _ = np.linalg.svd(scaled)
-    rank = int(np.sum(sigma > RANK_TOLERANCE * sigma[0])) if sigma.size else 0
+    rank = int(np.sum(sigma > tolerance * sigma[0])) if sigma.size else 0
     null = U[:, rank:].T.copy()
     for k in range(len(null)):
         pivot = int(np.argmax(np.abs(null[k])))

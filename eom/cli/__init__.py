@@ -14,7 +14,7 @@ def main() -> None:
         sys.stderr.write(f"{error}\n")
         sys.exit(2)
     except OSError as error:
-        sys.stderr.write(f"{error.filename}: cannot be written: {error.strerror}\n")
+        sys.stderr.write(f"{error.filename or 'the output'}: cannot be written: {error.strerror or error}\n")
         sys.exit(2)
     except KeyboardInterrupt:
         sys.stderr.write("interrupted\n")

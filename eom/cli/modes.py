@@ -37,9 +37,10 @@ def parse_sweep(text: str) -> tuple[str, list[float], str]:
         raise UsageError(expected) from None
     if not np.all(np.isfinite([start, stop, step])) or step == 0.0 or (stop - start) / step < 0.0:
         raise UsageError(f"--sweep {text}: the step does not lead from {start:g} to {stop:g}")
-    count = int((stop - start) / step * (1.0 + 1e-12) + 1e-9) + 1
-    if count > MAX_STEPS:
-        raise UsageError(f"--sweep {text}: has {count} steps, at most {MAX_STEPS} are allowed")
+    steps = (stop - start) / step
+    if not steps < MAX_STEPS:
+        raise UsageError(f"--sweep {text}: has {steps:.0f} steps, at most {MAX_STEPS} are allowed")
+    count = int(steps * (1.0 + 1e-12) + 1e-9) + 1
     return match[1], [start + k * step for k in range(count)], match[5]
 
 
@@ -67,9 +68,10 @@ def run_sweep(file: Path, settings: list[str], sweep: str, out: Path) -> None:
     done = values[: len(results)]
     typer.echo(sweep_table(name, unit, done, results))
     out.mkdir(parents=True, exist_ok=True)
-    stem = out / f"{file.stem}_{name.replace('.', '_')}"
-    write_sweep(stem.with_suffix(".csv"), name, unit, done, results)
-    plot_sweep(stem.with_suffix(".png"), title, f"{name} [{unit}]" if unit else name, done, results)
-    typer.echo(f"\nroots  {stem.with_suffix('.csv')}\nlocus  {stem.with_suffix('.png')}")
+    stem = f"{file.stem}_{name.replace('.', '_')}"
+    roots, locus = out / f"{stem}.csv", out / f"{stem}.png"
+    write_sweep(roots, name, unit, done, results)
+    plot_sweep(locus, title, f"{name} [{unit}]" if unit else name, done, results)
+    typer.echo(f"\nroots  {roots}\nlocus  {locus}")
     if len(done) < len(values):
         raise typer.Exit(2)

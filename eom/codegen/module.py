@@ -10,12 +10,13 @@ from collections.abc import Mapping
 from importlib.metadata import version
 from pathlib import Path
 from types import ModuleType
+from typing import cast
 
 import jinja2
 
 from eom.assembly import checks, inertia, loads, matrices, reduction, statics, tangent, vectors
 from eom.assembly import rows as jacobian
-from eom.codegen.source import constant_name, literal, make_writer, parameter_text
+from eom.codegen.source import literal, make_writer, parameter_text
 from eom.model.assembly import Assembly, assemble
 from eom.model.linear import linearise
 from eom.vehicle import elements
@@ -46,7 +47,7 @@ def module_name(vehicle: Vehicle) -> str:
     """A Python identifier from the vehicle file's name."""
     stem = re.sub(r"\W", "_", Path(vehicle.file).stem) or "vehicle"
     # a module called numpy or class could not be imported, or would hide what it needs
-    taken = keyword.iskeyword(stem) or stem in sys.stdlib_module_names or stem == "numpy"
+    taken = keyword.iskeyword(stem) or stem in sys.stdlib_module_names or stem in {"numpy", "eom"}
     return f"vehicle_{stem}" if taken or not stem.isidentifier() else stem
 
 
@@ -57,6 +58,7 @@ def module_text(vehicle: Vehicle | Assembly) -> str:
     owner = assembly.vehicle
     draft, zeros = owner.draft.system(), owner.draft.zeros
     writer, variables = make_writer(owner.draft)
+    speed = cast("Expression", owner.draft.speed)
     environment = jinja2.Environment(
         loader=jinja2.PackageLoader("eom.codegen"),
         autoescape=False,  # noqa: S701  Python source; every text of the file goes through `literal` or `one_line`
@@ -85,7 +87,8 @@ def module_text(vehicle: Vehicle | Assembly) -> str:
             if item.minimum is not None or item.maximum is not None
         ],
         zeros=[(python_text(item, parameter_text), literal(f"{path[1]}: {what}")) for item, path, what in zeros],
-        bodies=[(constant_name(body.name), k) for k, body in enumerate(draft.bodies)],
+        bodies=[(name, k) for k, name in enumerate(writer.bodies)],
+        speed="" if isinstance(speed, Number) else python_text(speed, parameter_text),
         variables=variables,
         gravity=writer.text(draft.gravity, 8, len("gravity=,")),
         sections=[(key, [writer.text(item, 12, 1) for item in getattr(draft, key)]) for key in SECTIONS],

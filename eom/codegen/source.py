@@ -26,9 +26,10 @@ def literal(value: object) -> str:
     return repr(value)
 
 
-def constant_name(body: str) -> str:
-    """Name of the constant that holds a body's number."""
-    return body.upper()
+def constant_names(bodies: Sequence[str]) -> list[str]:
+    """Names of the constants that hold the bodies' numbers; the prefix is no other constant's of a module."""
+    upper = [f"BODY_{body.upper()}" for body in bodies]
+    return [name if upper.count(name) == 1 else f"{name}_{k}" for k, name in enumerate(upper)]
 
 
 @dataclass(frozen=True)
@@ -38,7 +39,7 @@ class Writer:
     Attributes
     ----------
     bodies : sequence of str
-        Names of the bodies by number.
+        Names of the constants of the bodies by number.
     places : mapping
         Places and directions that have a name in the generated module.
     numbers : mapping
@@ -98,7 +99,7 @@ class Writer:
             case tuple() if all(isinstance(part, int) for part in value):
                 return "(" + ", ".join(map(self.body, value)) + ")"
             case int():
-                return "GROUND" if value == GROUND else constant_name(self.bodies[value])
+                return "GROUND" if value == GROUND else self.bodies[value]
             case _:
                 return self.text(value)
 
@@ -116,7 +117,7 @@ class Writer:
 
 def make_writer(draft: Draft) -> tuple[Writer, list[tuple[str, str]]]:
     """A writer for a draft, and the (name, source) of the local variables that it uses, in their order."""
-    bodies = [body.name for body in draft.bodies]
+    bodies = constant_names([body.name for body in draft.bodies])
     axes: dict[Vector, str] = {ORIGIN: "ORIGIN", X: "X", Y: "Y", Z: "Z"}
     numbers: dict[Expression, Name] = {}
     variables: list[tuple[str, str]] = []
@@ -136,6 +137,9 @@ def make_writer(draft: Draft) -> tuple[Writer, list[tuple[str, str]]]:
     places = dict(axes)
     for place, name in named_places(draft):
         if place not in places:
+            # a joint's row and another object may share a name once their dots are gone
+            while any(name == other for other, _ in variables):
+                name += "_"  # noqa: PLW2901
             variables.append((name, writer.text(place, 4, len(name) + 3)))
             places[place] = name
     return Writer(bodies, places, numbers), variables

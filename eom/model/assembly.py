@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from eom.assembly.checks import check_system
+from eom.assembly.diagnosis import redundant_joints
 from eom.assembly.matrices import DISPLACEMENTS, VELOCITIES, Matrices, assemble_matrices
 from eom.assembly.pivots import choose_coordinates, with_cyclic
 from eom.assembly.reduction import Pivots, Reduction, massless_motion, reduce_coordinates
@@ -174,11 +175,11 @@ def assemble(vehicle: Vehicle) -> Assembly:
         raise DescriptionError([vehicle.mistake(name, what) for name, what in findings])
     matrices = assemble_matrices(vehicle.system)
     check_equilibrium(vehicle, matrices)
-    pivots = choose_coordinates(vehicle.system, matrices)
     try:
+        pivots = choose_coordinates(vehicle.system, matrices)
         massless = massless_motion(matrices, reduce_coordinates(matrices, pivots))
     except ValueError as error:
-        raise SingularError(f"{vehicle.file}: {error}") from None
+        raise SingularError(f"{vehicle.file}: {nearly_redundant(vehicle, matrices) or error}") from None
     if massless is not None:
         body = vehicle.system.bodies[massless // 6].name
         what = f"the motion {body}.{VELOCITIES[massless % 6]} has no mass: give the body mass or inertia"
@@ -186,6 +187,16 @@ def assemble(vehicle: Vehicle) -> Assembly:
     return Assembly(vehicle, matrices, with_cyclic(vehicle.system, matrices, pivots))
 
 
+def nearly_redundant(vehicle: Vehicle, matrices: Matrices) -> str:
+    """The sentence for joints that all but lock the same motion twice, empty if there are none."""
+    bodies, joints = vehicle.system.bodies, [item.connection for item in vehicle.system.constraints]
+    owners = [joint.name for joint in joints for _ in rows(bodies, joint)]
+    groups = redundant_joints(matrices.J, owners, NEARLY)
+    names = "; ".join(dict.fromkeys(" with ".join(group) for group in groups))
+    return names and f"joints all but lock the same motion twice ({names}): let one carry less, or move them apart"
+
+
+NEARLY = 1e-5
 FORCES = (
     "force along x",
     "force along y",

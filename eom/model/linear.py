@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 
 from eom.assembly.reduction import RateError, cyclic_basis, state_space
 from eom.assembly.vectors import Array
-from eom.errors import OutputError
+from eom.errors import OutputError, SingularError
 from eom.model.assembly import Assembly, assemble
 from eom.model.modes import Complex, Modes, modes_of
 from eom.vehicle.load import Vehicle
@@ -105,6 +105,8 @@ def linearise(vehicle: Vehicle | Assembly) -> LinearModel:
         model = state_space(system, assembly.matrices, assembly.pivots)
     except RateError as error:
         raise OutputError(str(assembly.vehicle.mistake(error.output, str(error)))) from None
+    except ValueError as error:
+        raise SingularError(f"{assembly.vehicle.file}: {error}") from None
     names, units = state_names(assembly)
     return LinearModel(
         *model,

@@ -43,4 +43,6 @@ def write_mat(assembly: Assembly, model: LinearModel, path: Path) -> None:
         name: value.astype(object).reshape(-1, 1) if value.dtype.kind == "U" else value
         for name, value in labelled_matrices(assembly, model).items()
     }
-    savemat(path, contents)
+    # savemat hides the reason why it cannot open a path
+    with path.open("wb") as file:
+        savemat(file, contents)  # type: ignore[arg-type]  # the stubs know paths alone

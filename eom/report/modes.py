@@ -93,7 +93,7 @@ def plot_sweep(path: Path, title: str, label: str, values: Sequence[float], swee
     points = axes.scatter(every.real, every.imag, c=colours, s=14, cmap="viridis")
     axes.axvline(0.0, color="0.6", linewidth=0.8)
     hidden = int(np.sum(every.real < -span))
-    axes.set_xlim(left=max(float(every.real.min()), -span) * 1.05 - 0.1)
+    axes.set_xlim(left=max(float(every.real.min(initial=0.0)), -span) * 1.05 - 0.1)
     note = f" ({hidden} roots left of {-span:.3g} not shown)" if hidden else ""
     axes.set(xlabel=f"real part [1/s]{note}", ylabel="imaginary part [rad/s]", title=title)
     axes.grid(alpha=0.3)

@@ -132,4 +132,3 @@ Connector = Annotated[
     RigidPoint | RollingPoint | FlexPoint | Link | Spring | Support | SlipDamper | TyreConnector,
     Field(discriminator="type"),
 ]
-CONNECTOR_TYPES = ("rigid_point", "nh_point", "flex_point", "link", "spring", "support", "slip_damper", "tyre")

@@ -8,7 +8,6 @@ from typing import Any
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
-from eom.vehicle.connectors import CONNECTOR_TYPES
 from eom.vehicle.description import Description
 from eom.vehicle.expression import shorten
 from eom.vehicle.mirror import other_side
@@ -79,9 +78,14 @@ def file_path(location: tuple[str | int, ...], data: object, kind: str) -> Path:
     """A pydantic location as a path in the file: without the names of the schema's alternatives."""
     path: list[str | int] = []
     here: Any = data
+    told = False
     for k, step in enumerate(location):
+        if not told and isinstance(here, dict) and here.get("type") == step:
+            # a connector's type stands before the key in it
+            told = True
+            continue
         if contains(here, step):
-            here = here[step]
+            here, told = here[step], False
         elif k + 1 < len(location) or (kind != "missing" and step in ALTERNATIVES):
             continue
         path.append(step)
@@ -96,9 +100,7 @@ def contains(here: object, step: str | int) -> bool:
 
 
 # what pydantic puts into locations for the alternatives of a union
-ALTERNATIVES = frozenset(
-    ("[key]", "unit", "use", "down", "vector", "products", "tensor", "described", "plain", *CONNECTOR_TYPES)
-)
+ALTERNATIVES = frozenset({"[key]", "unit", "use", "down", "vector", "products", "tensor", "described", "plain"})
 
 
 def sentence(path: Path, item: ErrorDetails) -> tuple[Path, str]:

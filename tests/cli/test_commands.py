@@ -145,6 +145,7 @@ def test_schema_is_valid_json_with_the_files_keys(
         (["modes", FOLDER / "disc.yaml", "--sweep", "U=1:2"], "expected NAME=FROM:TO:STEP"),
         (["modes", FOLDER / "disc.yaml", "--sweep", "U=2:1:0.5"], "does not lead from 2 to 1"),
         (["modes", FOLDER / "disc.yaml", "--sweep", "U=1:2:1e-9"], "steps, at most"),
+        (["modes", FOLDER / "disc.yaml", "--sweep", "U=0:1e308:1e-10"], "steps, at most"),
         (["check", FOLDER / "b_train_yaw_roll.yaml", "--set", "U=200 km/h"], "at most 44.4444 is allowed"),
     ],
 )

@@ -180,3 +180,29 @@ def test_a_module_near_a_bad_choice_of_coordinates_says_so(tmp_path: Path) -> No
     # without trail the steer angle no longer tells the rear frame's yaw rate
     with pytest.raises(ValueError, match="choose them anew"):
         module.linearise({"c": 1e-8})
+
+
+@pytest.mark.parametrize("body", ["x", "y", "z", "x1", "pivots", "inputs", "relative", "ground_", "np"])
+def test_a_body_of_any_name_leaves_the_kernel_alone(body: str, tmp_path: Path) -> None:
+    file = text("disc").replace("  disc: {mass", f"  {body}: {{mass").replace("[disc, ground]", f"[{body}, ground]")
+    car = eom.loads(file.replace("{body: disc", f"{{body: {body}"), "named.yaml")
+    assert_same(imported(car, tmp_path).linearise(), eom.linearise(car), SAME)
+
+
+def test_bodies_whose_names_differ_in_case_alone_stay_apart(tmp_path: Path) -> None:
+    file = """
+name: two
+bodies:
+  w: {mass: 2, at: [0, 0, 1], inertia: {xx: 1, yy: 1, zz: 1}}
+  W: {mass: 7, at: [1, 0, 1], inertia: {xx: 1, yy: 1, zz: 1}}
+connectors:
+  k: {type: spring, between: [w, ground], ends: [[0, 0, 1], [0, 0, 0]], stiffness: 100}
+  l: {type: spring, between: [W, ground], ends: [[1, 0, 1], [1, 0, 0]], stiffness: 300}
+"""
+    car = eom.loads(file, "two.yaml")
+    assert_same(imported(car, tmp_path).linearise(), eom.linearise(car), SAME)
+
+
+def test_the_module_refuses_a_trim_that_runs_backward(tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match="the trim runs forward"):
+        imported(vehicle("disc"), tmp_path).linearise({"U": -3.0})

@@ -117,3 +117,9 @@ def test_an_acceleration_that_would_need_an_inputs_rate_is_refused() -> None:
     )
     with pytest.raises(eom.OutputError, match="output axle would follow the rate of input road"):
         eom.linearise(eom.loads(file))
+
+
+def test_joints_that_all_but_lock_the_same_motion_are_named() -> None:
+    near = "again: {type: support, body: frame, at: [1e-7, 0, 0], carries: [z]}"
+    message = refusal("carries: [z, roll, pitch]}", f"carries: [z, roll]}}\n  {near}", eom.SingularError)
+    assert "joints all but lock the same motion twice (plane with again)" in message
