@@ -32,8 +32,8 @@ class Registry:
     """Collects live numbers, the expressions made of them, and the mistakes made in referring to them.
 
     ``computed`` tells which parameters a number without a name of its own is made of, ``used`` which arguments of
-    templates occur. Names in ``broken`` belong
-    to parts left out because of mistakes: referring to them is no further one.
+    templates occur. Names in ``broken`` belong to parts left out because of mistakes: referring to them is no
+    further one.
     """
 
     parameters: dict[str, Live] = field(default_factory=dict)
