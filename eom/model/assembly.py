@@ -20,7 +20,10 @@ from eom.vehicle.load import Vehicle
 
 
 class Descriptor(NamedTuple):
-    """Descriptor form of the equations of motion over the independent coordinates and velocities."""
+    """E dz/dt = A z + B u + B_rate du/dt in SI units; z = (q, n), displacements in inertial, velocities in body axes.
+
+    Rows: dq/dt [m/s, rad/s], then forces and moments on the motions n [N, N m].
+    """
 
     E: Array
     A: Array

@@ -52,7 +52,10 @@ class LinearModel:
         return modes_of(self.A, self.states, self.cyclic)
 
     def frequency_response(self, frequency: ArrayLike) -> Complex:
-        """Response of every output to every input, shape (frequencies, outputs, inputs), *frequency* in Hz."""
+        """C (s I - A)^-1 B + D at s = 2 pi i *frequency* [Hz], shape (frequencies, outputs, inputs).
+
+        Each entry is in the output's unit per the input's; a pole on the imaginary axis makes it singular.
+        """
         s = 2j * np.pi * np.atleast_1d(np.asarray(frequency, dtype=float))[:, np.newaxis, np.newaxis]
         resolvent = np.linalg.solve(s * np.eye(len(self.A)) - self.A, self.B.astype(complex))
         return np.asarray(self.C @ resolvent + self.D, dtype=complex)

@@ -34,7 +34,10 @@ class TrimLoads(NamedTuple):
 
 
 def joint_loads(assembly: Assembly) -> dict[str, tuple[Array, Array]]:
-    """Force and moment that each joint exerts on its first body in the trim."""
+    """Force [N] and moment [N m] that each joint exerts on its first body in the trim, along x, y, z.
+
+    The second body gets the opposite.
+    """
     joints = [item.connection for item in assembly.system.constraints]
     counts = [len(rows(assembly.system.bodies, item)) for item in joints]
     reactions = split(assembly.matrices.statics.reactions, counts)

@@ -2,7 +2,7 @@
 
 from typing import Annotated, Literal, Self
 
-from pydantic import BeforeValidator, Field, model_validator
+from pydantic import BeforeValidator, Field, field_validator, model_validator
 
 from eom.vehicle.parts import Flag, Identifier, Strict, not_a_flag
 from eom.vehicle.quantity import AngularDamping, AngularStiffness, Axis, Damping, Place, Stiffness
@@ -102,6 +102,14 @@ class Support(Strict):
     at: Place
     carries: tuple[Literal["z", "roll", "pitch"], ...] = Field(default=("z",), min_length=1, max_length=3)
     mirror: Flag = False
+
+    @field_validator("carries")
+    @classmethod
+    def _each_once(cls, carries: tuple[str, ...]) -> tuple[str, ...]:
+        if len(set(carries)) < len(carries):
+            message = "names a direction twice"
+            raise ValueError(message)
+        return carries
 
 
 class SlipDamper(Strict):
