@@ -7,8 +7,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from eom.assembly.algebra import row_entry
 from eom.assembly.inertia import trim_velocity
-from eom.assembly.rows import rows
+from eom.assembly.rows import local_rows
 from eom.assembly.vectors import Array
 from eom.vehicle.elements import Body, Connection, Slip, System
 
@@ -99,8 +100,8 @@ def check_trim(system: System) -> Iterator[Finding]:
         ("tyre or slip damper", [item.connection for item in system.slip]),
     ):
         for connection in group:
-            jacobian = rows(system.bodies, connection)
-            rate = jacobian @ w
+            _, columns, jacobian = row_entry(0, connection.bodies, local_rows(system.bodies, connection))
+            rate = jacobian @ w[columns]
             limit = RELATIVE * size * float(np.max(np.abs(jacobian), initial=1.0))
             if np.any(np.abs(rate) > limit):
                 worst = float(rate[np.argmax(np.abs(rate))])

@@ -11,13 +11,14 @@ the first body at its place and, reversed, on the second body at that same spot:
   relative to that plane does not carry it along.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from eom.assembly.rows import arm, force_directions, six
+from eom.assembly.algebra import Entry, square_entry
+from eom.assembly.rows import arm, force_directions
 from eom.assembly.vectors import Array, directions, skew, unit
-from eom.vehicle.elements import GROUND, Body, Connection
+from eom.vehicle.elements import Body, Connection
 
 X1, THETA1, X2, THETA2 = (slice(3 * k, 3 * k + 3) for k in range(4))
 
@@ -100,13 +101,8 @@ def connection_tangent(bodies: Sequence[Body], connection: Connection, reactions
     return -wrench
 
 
-def tangent_stiffness(bodies: Sequence[Body], connections: Sequence[Connection], reactions: Sequence[Array]) -> Array:
-    """Sum of the connections' tangent stiffness over all coordinates, shape (6 n, 6 n)."""
-    K = np.zeros((6 * len(bodies), 6 * len(bodies)))
-    for connection, reaction in zip(connections, reactions, strict=True):
-        local = connection_tangent(bodies, connection, reaction)
-        for i, row in enumerate(connection.bodies):
-            for j, column in enumerate(connection.bodies):
-                if GROUND not in (row, column):
-                    K[six(row), six(column)] += local[6 * i : 6 * i + 6, 6 * j : 6 * j + 6]
-    return K
+def tangent_entries(bodies: Sequence[Body], carried: Sequence[tuple[Connection, Array]]) -> Iterator[Entry]:
+    """Tangent stiffness of connections, each given with its reactions, over all coordinates."""
+    for connection, reactions in carried:
+        if np.any(reactions):
+            yield square_entry(connection.bodies, connection_tangent(bodies, connection, reactions))

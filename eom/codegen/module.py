@@ -14,7 +14,23 @@ from typing import cast
 
 import jinja2
 
-from eom.assembly import checks, inertia, loads, matrices, reduction, statics, tangent, vectors
+from eom.assembly import (
+    algebra,
+    beam,
+    checks,
+    cyclic,
+    elastic,
+    inertia,
+    loads,
+    massless,
+    matrices,
+    reduction,
+    state_space,
+    statics,
+    tangent,
+    triangle,
+    vectors,
+)
 from eom.assembly import rows as jacobian
 from eom.codegen.source import literal, make_writer, parameter_text
 from eom.model.assembly import Assembly, assemble
@@ -26,8 +42,27 @@ from eom.vehicle.load import Vehicle
 from eom.vehicle.registry import Live
 from eom.vehicle.units import DIMENSIONLESS, show_dimension
 
-KERNEL = (elements, vectors, jacobian, inertia, loads, tangent, statics, matrices, reduction, checks)
+KERNEL = (
+    elements,
+    vectors,
+    algebra,
+    jacobian,
+    inertia,
+    beam,
+    triangle,
+    elastic,
+    loads,
+    tangent,
+    reduction,
+    statics,
+    matrices,
+    massless,
+    cyclic,
+    state_space,
+    checks,
+)
 SECTIONS = ("bodies", "constraints", "rolling", "elastic", "slip", "loads", "inputs", "outputs")
+ADDITIONS = ("bushings", "beams", "triangles")
 
 
 def write_module(vehicle: Vehicle | Assembly, folder: str | Path) -> Path:
@@ -91,7 +126,10 @@ def module_text(vehicle: Vehicle | Assembly) -> str:
         speed="" if isinstance(speed, Number) else python_text(speed, parameter_text),
         variables=variables,
         gravity=writer.text(draft.gravity, 8, len("gravity=,")),
-        sections=[(key, [writer.text(item, 12, 1) for item in getattr(draft, key)]) for key in SECTIONS],
+        sections=[
+            (key, [writer.text(item, 12, 1) for item in getattr(draft, key)])
+            for key in (*SECTIONS, *(key for key in ADDITIONS if getattr(draft, key)))
+        ],
         signals=[
             (kind, [(literal(a), literal(b)) for a, b in zip(signals, units, strict=True)])
             for kind, signals, units in (

@@ -97,6 +97,8 @@ def place_of(mark: "yaml.Mark | CMark | None") -> tuple[int, int]:
 def yaml_problem(error: yaml.MarkedYAMLError, text: str) -> str:
     """The sentence for text that YAML cannot read, with the place where the broken part began."""
     line, column = place_of(error.problem_mark)
+    if "nesting depth" in str(error.problem):
+        return f"nested more than {MAX_DEPTH} deep"
     if "\t" in "".join(text.splitlines()[line - 1 : line])[:column]:
         return "not readable as YAML: indent with spaces, not with tabs"
     began = place_of(error.context_mark)
