@@ -45,11 +45,11 @@ class DenseFactor:
 
     def solve(self, right: Array) -> Array:
         """Solution x of A x = *right*."""
-        return np.linalg.solve(self.A, right)
+        return np.asarray(np.linalg.solve(self.A, right), dtype=np.float64)
 
     def solve_transposed(self, right: Array) -> Array:
         """Solution x of A' x = *right*."""
-        return np.linalg.solve(self.A.T, right)
+        return np.asarray(np.linalg.solve(self.A.T, right), dtype=np.float64)
 
     def smallest(self) -> float:
         """The smallest singular value."""
@@ -60,30 +60,32 @@ def dense(shape: tuple[int, int], entries: Iterable[Entry]) -> Array:
     """A matrix of the given shape from its entries."""
     matrix = np.zeros(shape)
     for rows, columns, values in entries:
-        matrix[np.ix_(rows, columns)] += values
+        matrix[rows[:, np.newaxis], columns] += values
     return matrix
 
 
 DENSE = Algebra(dense, DenseFactor)
+SIX = np.arange(6)
 
 
 def moving_columns(bodies: Sequence[int]) -> tuple[Indices, Indices]:
     """Coordinates of those of the bodies that are not the ground, and their places among six columns a body."""
-    columns = [6 * body + k for body in bodies if body != GROUND for k in range(6)]
-    local = [6 * end + k for end, body in enumerate(bodies) if body != GROUND for k in range(6)]
-    return np.array(columns, dtype=np.intp), np.array(local, dtype=np.intp)
+    ends = [end for end, body in enumerate(bodies) if body != GROUND]
+    starts = 6 * np.array([[bodies[end] for end in ends], ends], dtype=np.intp)
+    columns, local = (starts[:, :, np.newaxis] + SIX).reshape(2, -1)
+    return columns, local
 
 
 def row_entry(at: int, bodies: Sequence[int], rows: Array) -> Entry:
     """Rows over six columns a body, from row *at* of a matrix over all coordinates."""
     columns, local = moving_columns(bodies)
-    return np.arange(at, at + len(rows)), columns, rows[:, local]
+    return np.arange(at, at + len(rows)), columns, rows if len(local) == rows.shape[1] else rows[:, local]
 
 
 def square_entry(bodies: Sequence[int], matrix: Array) -> Entry:
     """A matrix over six coordinates a body, in one over all coordinates."""
     columns, local = moving_columns(bodies)
-    return columns, columns, matrix[np.ix_(local, local)]
+    return columns, columns, matrix if len(local) == len(matrix) else matrix[local[:, np.newaxis], local]
 
 
 def stacked(blocks: Sequence[tuple[Sequence[int], Array]], size: int, algebra: Algebra) -> Array:

@@ -35,6 +35,11 @@ def check_body(body: Body) -> Iterator[Finding]:
     if not np.allclose(inertia, inertia.T, rtol=0.0, atol=RELATIVE * size):
         yield body.name, "its inertia tensor is not symmetric"
         return
+    # a moment of zero is left out: its rotation is locked, or has no inertia
+    present = np.flatnonzero(np.diag(inertia))
+    if present.size < 3 and not np.any(np.delete(inertia, present, axis=0)):
+        yield from check_spin(body, inertia)
+        return
     first, second, third = np.linalg.eigvalsh(inertia)
     if first < -RELATIVE * size or third > (first + second) * (1.0 + RELATIVE) + RELATIVE * size:
         moments = f"{first:.6g}, {second:.6g} and {third:.6g} kg m^2"

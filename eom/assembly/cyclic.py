@@ -4,6 +4,7 @@ They have columns of exact zeros; the other coordinates are counted from them.
 """
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 
@@ -61,29 +62,43 @@ def is_negligible(change: Array, A: Array, basis: Array) -> bool:
     return bool(np.all(np.abs(change) <= CYCLIC_TOLERANCE * size))
 
 
+class Counted(NamedTuple):
+    """State matrices with the other coordinates counted from the cyclic ones."""
+
+    A: Array
+    B: Array
+    C: Array
+
+
 def count_from_cyclic(
-    A: Array, bodies: Sequence[Body], reduction: Reduction, pivots: Pivots
-) -> tuple[Array, Array, Array]:
-    """Count coordinates from the cyclic ones: A with exact zeros, and x = X x_new with the inverse of X.
+    A: Array, B: Array, C: Array, bodies: Sequence[Body], reduction: Reduction, pivots: Pivots
+) -> Counted:
+    """Change to states of which the cyclic ones move the whole; their columns of A become exact zeros.
 
     Raises ``ValueError`` if a motion that changed nothing now does.
     """
-    X, X_inverse = np.eye(len(A)), np.eye(len(A))
     if not pivots.cyclic:
-        return A, X, X_inverse
+        return Counted(A, B, C)
     cyclic = list(pivots.cyclic)
     own = cyclic_basis(bodies, reduction, pivots)
     basis = np.zeros((len(A), len(cyclic)))
     basis[: len(own)] = own
-    X[:, cyclic] = basis
-    X_inverse[:, cyclic] -= basis
-    X_inverse[cyclic, cyclic] = 1.0
-    result = X_inverse @ A @ X
-    inner = result[np.ix_(cyclic, cyclic)]
-    if not is_negligible(A @ basis - basis @ inner, A, basis):
+    others = basis.copy()
+    others[cyclic] = 0.0
+    drift = A @ basis
+    inner = drift[cyclic]
+    if not is_negligible(drift - basis @ inner, A, basis):
         message = "a motion that left every force unchanged no longer does: choose the coordinates anew"
         raise ValueError(message)
-    inner = np.where(np.abs(inner) <= CYCLIC_TOLERANCE * np.max(np.abs(inner), initial=0.0), 0.0, inner)
+    result = A - others @ A[cyclic]
     result[:, cyclic] = 0.0
-    result[np.ix_(cyclic, cyclic)] = inner
-    return result, X, X_inverse
+    result[np.ix_(cyclic, cyclic)] = without_rounding_of(inner, np.max(np.abs(inner), initial=0.0))
+    measured = C.copy()
+    largest = np.max(np.abs(C), axis=1, initial=0.0)[:, np.newaxis]
+    measured[:, cyclic] = without_rounding_of(C @ basis, largest)
+    return Counted(result, B - others @ B[cyclic], measured)
+
+
+def without_rounding_of(values: Array, size: Array | float) -> Array:
+    """The values, exactly zero where they are nothing beside *size*."""
+    return np.where(np.abs(values) <= CYCLIC_TOLERANCE * size, 0.0, values)

@@ -27,7 +27,7 @@ def load_sums(bodies: Sequence[Body], loads: Sequence[Load]) -> tuple[Array, Arr
     f, size = np.zeros(6 * len(bodies)), np.zeros(6 * len(bodies))
     for load in loads:
         r = arm_of(bodies, load.body, load.place)
-        wrench = np.concatenate([load.force, np.cross(r, load.force) + np.asarray(load.moment)])
+        wrench = np.concatenate([load.force, skew(r) @ load.force + load.moment])
         f[six(load.body)] += wrench
         size[six(load.body)] += np.abs(wrench)
     return f, size

@@ -46,18 +46,20 @@ class IndexAboveOneError(ValueError):
 
 def independent_equations(matrices: Matrices) -> Equations:
     """The equations without constraint reactions."""
+    M, C, K = matrices.M, matrices.C, matrices.K
     T, W, Z, at = matrices.reduction.T, matrices.reduction.W, matrices.reduction.Z, matrices.reduction.independent
     Qq, Qn = (Z - matrices.V @ T)[at], W[at]
-    MZ = matrices.M @ Z
-    return Equations(
-        Qq,
-        Qn,
-        W.T @ (matrices.M @ W),
-        W.T @ (MZ @ Qn + matrices.C @ W),
-        W.T @ (MZ @ Qq + matrices.C @ Z + matrices.K @ T),
-        W.T @ matrices.F,
-        W.T @ matrices.G,
-    )
+    on_q, on_n = K @ T, C @ W
+    if np.any(Z):
+        MZ = M @ Z
+        on_q, on_n = on_q + MZ @ Qq + C @ Z, on_n + MZ @ Qn
+    F, G = W.T @ matrices.F, W.T @ matrices.G
+    return Equations(Qq, Qn, W.T @ (M @ W), projected(W, on_n), projected(W, on_q), F, G)
+
+
+def projected(W: Array, forces: Array) -> Array:
+    """Forces on the velocities n; for many bodies the product is worth sparing where there are none."""
+    return W.T @ forces if np.any(forces) else np.zeros((W.shape[1], forces.shape[1]))
 
 
 def null_basis(A: Array, dependent: list[int]) -> Array:
@@ -69,7 +71,7 @@ def null_basis(A: Array, dependent: list[int]) -> Array:
     N = np.zeros((len(A), len(dependent)))
     N[dependent, np.arange(len(dependent))] = 1.0
     if dependent and kept.size:
-        N[kept] = -np.linalg.solve(A[np.ix_(kept, kept)], A[np.ix_(kept, dependent)])
+        N[kept] = -np.linalg.solve(A[kept][:, kept], A[kept][:, dependent])
     size = np.max(np.abs(A), initial=0.0) * np.max(np.abs(N), initial=0.0)
     if np.any(np.abs(A @ N) > MASS_TOLERANCE * size):
         message = "a motion that had no mass or no damping now has: choose the coordinates anew"

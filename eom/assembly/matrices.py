@@ -16,7 +16,7 @@ from eom.assembly.elastic import Strained, damping_entries, elastic_items, inert
 from eom.assembly.inertia import kinematic_entries, mass_entries, momentum_entries
 from eom.assembly.loads import load_stiffness, load_sums, with_weight
 from eom.assembly.reduction import Pivots, Reduction, reduce_coordinates
-from eom.assembly.rows import local_rows
+from eom.assembly.rows import local_rows, row_count
 from eom.assembly.statics import Statics, equilibrium
 from eom.assembly.tangent import tangent_entries
 from eom.assembly.vectors import Array
@@ -127,7 +127,7 @@ def split(values: Array, counts: list[int]) -> list[Array]:
 def carried_loads(system: System, items: list[Strained], statics: Statics) -> list[tuple[Connection, Array]]:
     """Connections of joints and elastic items with what they carry."""
     joints = [item.connection for item in system.constraints]
-    reactions = split(statics.reactions, [len(local_rows(system.bodies, item)) for item in joints])
+    reactions = split(statics.reactions, [row_count(item) for item in joints])
     tensions = split(statics.tensions, [len(item.rows) for item in items])
     carried = list(zip(joints, reactions, strict=True))
     return carried + [

@@ -9,12 +9,12 @@ from eom.assembly.cyclic import CYCLIC_TOLERANCE, cyclic_motion, is_negligible, 
 from eom.assembly.massless import (
     INDEX_TOLERANCE,
     MASS_TOLERANCE,
-    first_order,
-    independent_equations,
+    Equations,
+    FirstOrder,
     null_basis,
 )
 from eom.assembly.matrices import Matrices, joint_rows
-from eom.assembly.reduction import Pivots, complement, full
+from eom.assembly.reduction import Pivots, Reduction, complement, full
 from eom.assembly.statics import length_scales
 from eom.assembly.tree import pivoted_columns, spanning_tree
 from eom.assembly.vectors import Array
@@ -89,12 +89,11 @@ def along_tree(system: System, J: Array, preference: Array, algebra: Algebra) ->
     return kept, sorted([*tree.dependent, *(int(independent[k]) for k in columns)])
 
 
-def with_massless(system: System, matrices: Matrices, pivots: Pivots) -> Pivots:
+def with_massless(system: System, matrices: Matrices, equations: Equations, pivots: Pivots) -> Pivots:
     """The pivots with the velocities that have no mass, and the coordinates that stiffness alone places.
 
     Raises `IndexAboveOneError` for a motion that nothing determines.
     """
-    equations = independent_equations(matrices)
     null = massless_motions(equations.M)
     if not null.shape[1]:
         return pivots
@@ -128,10 +127,10 @@ def massless_motions(M: Array) -> Array:
     return np.zeros((len(M), 0))
 
 
-def with_cyclic(system: System, matrices: Matrices, pivots: Pivots) -> Pivots:
+def with_cyclic(system: System, reduction: Reduction, form: FirstOrder, pivots: Pivots) -> Pivots:
     """The pivots with the motions that change nothing, and the coordinates that stand for them."""
-    motions = cyclic_motions(system, matrices, pivots)
-    at, _ = state_coordinates(matrices.reduction, pivots)
+    motions = cyclic_motions(system, reduction, form, pivots)
+    at, _ = state_coordinates(reduction, pivots)
     wanted = 1.0 / coordinate_preference(system)[at]
     # the pitch of a lone disc is also its spin: one of such motions stands for both
     distinct, cyclic = pivoted_elimination(basis(system, at, motions).T, wanted)
@@ -144,10 +143,9 @@ def basis(system: System, at: Array, motions: Sequence[int]) -> Array:
     return np.array(columns).T.reshape(len(at), len(motions))
 
 
-def cyclic_motions(system: System, matrices: Matrices, pivots: Pivots) -> tuple[int, ...]:
+def cyclic_motions(system: System, reduction: Reduction, form: FirstOrder, pivots: Pivots) -> tuple[int, ...]:
     """Rigid motions of the whole, and spins of bodies, that are possible and change no force and no velocity."""
-    rates = first_order(independent_equations(matrices), pivots).rates
-    A, reduction = rates[:, : len(rates)], matrices.reduction
+    A = form.rates[:, : len(form.rates)]
     at, _ = state_coordinates(reduction, pivots)
     spinning = [6 + i for i, body in enumerate(system.bodies) if np.any(np.array(body.spin) != 0.0)]
     found = []

@@ -97,11 +97,11 @@ def reduce_coordinates(J: Array, Jn: Array, V: Array, pivots: Pivots, algebra: A
     """
     kept, chosen = J[list(pivots.rows)], list(pivots.dependent)
     independent, T, factor = complement(kept, chosen, algebra)
-    if not holds(J, T):
+    if not holds(J[np.setdiff1d(np.arange(J.shape[0]), list(pivots.rows))], T):
         message = "a joint that repeated others no longer does: choose the coordinates anew"
         raise ValueError(message)
     Z = np.zeros_like(T)
-    if factor is not None:
+    if factor is not None and np.any(V.data):
         Z[chosen] = factor.solve(np.asarray(kept @ (V @ T)))
     rolling = full(Jn)[list(pivots.rolling_rows)] @ T
     remaining, Tn, _ = complement(rolling, pivots.rolling_dependent)
@@ -118,5 +118,7 @@ def reduce_coordinates(J: Array, Jn: Array, V: Array, pivots: Pivots, algebra: A
 
 def holds(rows: Array, motion: Array) -> bool:
     """Whether constraint rows let a motion be, but for rounding."""
+    if not (rows.shape[0] and np.any(motion)):
+        return True
     size = abs(rows) @ np.abs(motion) + np.max(np.abs(motion), initial=0.0)
     return not np.any(np.abs(rows @ motion) > ROUNDING * size)

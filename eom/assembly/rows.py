@@ -33,6 +33,11 @@ def force_directions(connection: Connection) -> Array:
     return directions(connection.forces, connection.force_axis)
 
 
+def row_count(connection: Connection) -> int:
+    """Number of the connection's rows."""
+    return (1 if connection.line else connection.forces) + connection.moments
+
+
 def local_rows(bodies: Sequence[Body], connection: Connection) -> Array:
     """Rows of the connection, shape (forces + moments, 12), over the coordinates of its first and second body.
 
@@ -42,11 +47,10 @@ def local_rows(bodies: Sequence[Body], connection: Connection) -> Array:
     about = directions(connection.moments, connection.moment_axis)
     n = len(along)
     result = np.zeros((n + len(about), 12))
-    for end, sign in ((0, 1.0), (1, -1.0)):
-        block = result[:, six(end)]
-        block[:n, :3] = sign * along
-        block[:n, 3:] = -sign * along @ skew(arm(bodies, connection, end))
-        block[n:, 3:] = sign * about
+    result[:n, :3], result[:n, 6:9] = along, -along
+    result[:n, 3:6] = -along @ skew(arm(bodies, connection, 0))
+    result[:n, 9:] = along @ skew(arm(bodies, connection, 1))
+    result[n:, 3:6], result[n:, 9:] = about, -about
     return result
 
 

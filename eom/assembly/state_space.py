@@ -5,8 +5,8 @@ from typing import NamedTuple
 import numpy as np
 
 from eom.assembly.algebra import row_entry
-from eom.assembly.cyclic import CYCLIC_TOLERANCE, count_from_cyclic
-from eom.assembly.massless import first_order, independent_equations, rate_of
+from eom.assembly.cyclic import count_from_cyclic
+from eom.assembly.massless import FirstOrder, rate_of
 from eom.assembly.matrices import Matrices
 from eom.assembly.reduction import ROUNDING, Pivots
 from eom.assembly.rows import local_rows
@@ -41,22 +41,25 @@ def output_row(system: System, output: Output) -> Array:
     return row
 
 
-def output_signals(system: System, matrices: Matrices, rates: Array, p: Array, w: Array) -> Array:
+def output_signals(system: System, matrices: Matrices, form: FirstOrder) -> Array:
     """The outputs as signals of the states, the inputs and their rates (see `eom.assembly.massless`).
 
     Raises `RateError` for one that would follow an input's rate.
     """
+    rates, q, n = form
+    T, W, Z = matrices.reduction.T, matrices.reduction.W, matrices.reduction.Z
     states, n_u = len(rates), len(system.inputs)
     names = [item.name for item in system.inputs]
     result = np.zeros((len(system.outputs), rates.shape[1]))
-    moving = w - matrices.V @ p
     for k, output in enumerate(system.outputs):
         row = output_row(system, output)
-        size = np.abs(row) @ np.abs(w)
+        size = (np.abs(row) @ np.abs(W)) @ np.abs(n) + (np.abs(row) @ np.abs(Z)) @ np.abs(q)
         if output.quantity == "position":
-            signal = row @ p
+            signal = (row @ T) @ q
         else:
-            signal = row @ (moving if output.frame == "inertial" else w)
+            # inertial: dp/dt = w - V p
+            turning = row @ matrices.V @ T if output.frame == "inertial" else 0.0
+            signal = (row @ W) @ n + (row @ Z - turning) @ q
             refuse_rates(output, names, signal, size)
         if output.quantity == "acceleration":
             signal = rate_of(signal[np.newaxis], rates, n_u)[0]
@@ -78,24 +81,17 @@ def refuse_rates(output: Output, names: list[str], signal: Array, size: Array) -
         raise RateError(output.name, names[int(np.argmax(needed))])
 
 
-def state_space(system: System, matrices: Matrices, pivots: Pivots) -> StateSpace:
-    """Minimal state space about the trim.
+def state_space(system: System, matrices: Matrices, pivots: Pivots, form: FirstOrder) -> StateSpace:
+    """Minimal state space about the trim, from the first-order form of the same matrices and pivots.
 
     Where an input acts through its rate (a damper moved at its far end), the states are counted less the jump
     that the input gives them, so that only u itself remains. Raises `RateError` for an output that would still need
-    the rate of an input, `IndexAboveOneError` for a motion that nothing determines, ``ValueError`` where the
-    pivots do not fit.
+    the rate of an input, ``ValueError`` where the pivots do not fit.
     """
-    reduction, n_u = matrices.reduction, len(system.inputs)
-    rates, q, n = first_order(independent_equations(matrices), pivots)
-    p, w = reduction.T @ q, reduction.W @ n + reduction.Z @ q
+    n_u = len(system.inputs)
+    rates = form.rates
     states = len(rates)
     A, B, jump = np.split(rates, [states, states + n_u], axis=1)
-    C, D, _ = np.split(output_signals(system, matrices, rates, p, w), [states, states + n_u], axis=1)
+    C, D, _ = np.split(output_signals(system, matrices, form), [states, states + n_u], axis=1)
     B, D = B + A @ jump, D + C @ jump
-    A, X, X_inverse = count_from_cyclic(A, system.bodies, reduction, pivots)
-    C = C @ X
-    cyclic = list(pivots.cyclic)
-    largest = np.max(np.abs(C), axis=1, initial=0.0)[:, np.newaxis]
-    C[:, cyclic] = np.where(np.abs(C[:, cyclic]) <= CYCLIC_TOLERANCE * largest, 0.0, C[:, cyclic])
-    return StateSpace(A, X_inverse @ B, C, D)
+    return StateSpace(*count_from_cyclic(A, B, C, system.bodies, matrices.reduction, pivots), D)

@@ -15,7 +15,7 @@ from eom.vehicle.elements import Body
 RANK_TOLERANCE = 1e-10
 BALANCE_TOLERANCE = 1e-6
 # beyond this many numbers a rank decision takes too long, and stiffness is asked at once
-LARGE = 4_000_000
+LARGE = 500_000
 
 
 class Statics(NamedTuple):
@@ -120,21 +120,41 @@ def spread(shared: Array, modes: Sequence[tuple[Array, Array]]) -> Array:
 
 def share(H: Array, k: Array, f: Array) -> tuple[Array, bool, Array]:
     """Tensions with f + H' tensions = 0, whether statics alone tells them, and the deflection H e = -tensions / k."""
-    if H.size > LARGE:
-        motion = np.linalg.solve((H.T * k) @ H, f)
-        return -k * (H @ motion), len(k) == H.shape[1], motion
+    if H.size > LARGE and (found_quickly := share_quickly(H, k, f)) is not None:
+        return found_quickly
     found = np.linalg.lstsq(H.T, -f, rcond=RANK_TOLERANCE)
-    tensions, rank = np.asarray(found[0]), int(found[2])
-    determinate = rank == len(k)
+    tensions: Array = np.asarray(found[0])
+    determinate = int(found[2]) == len(k)
     if not determinate and np.all(k > 0.0):
         # least complementary energy
         root = np.sqrt(k)
         tensions = root * np.linalg.lstsq(H.T * root, -f, rcond=RANK_TOLERANCE)[0]
     elif not determinate:
-        motion = np.linalg.lstsq((H.T * k) @ H, f, rcond=RANK_TOLERANCE)[0]
+        motion = np.asarray(np.linalg.lstsq((H.T * k) @ H, f, rcond=RANK_TOLERANCE)[0])
         return -k * (H @ motion), False, motion
-    motion = np.linalg.lstsq(H, -tensions / k, rcond=RANK_TOLERANCE)[0]
+    motion = np.asarray(np.linalg.lstsq(H, -tensions / k, rcond=RANK_TOLERANCE)[0])
     return tensions, determinate, motion
+
+
+def share_quickly(H: Array, k: Array, f: Array) -> tuple[Array, bool, Array] | None:
+    """As `share`, by factors that many rows afford; None where neither rows nor stiffness are regular."""
+    try:
+        gram = regular(H @ H.T)
+        tensions = -np.linalg.solve(gram, H @ f)
+        return np.asarray(tensions), True, np.asarray(-H.T @ np.linalg.solve(gram, tensions / k))
+    except np.linalg.LinAlgError:
+        pass
+    try:
+        motion = np.asarray(np.linalg.solve(regular((H.T * k) @ H), f), dtype=np.float64)
+        return -k * (H @ motion), False, motion
+    except np.linalg.LinAlgError:
+        return None
+
+
+def regular(matrix: Array) -> Array:
+    """The symmetric matrix itself; raises ``LinAlgError`` unless it is clearly positive definite."""
+    np.linalg.cholesky(matrix - RANK_TOLERANCE * np.max(np.abs(matrix), initial=0.0) * np.eye(len(matrix)))
+    return matrix
 
 
 def joint_reactions(J: Array, pivots: Pivots, reduction: Reduction, wanted: Array) -> tuple[Array, NDArray[np.bool_]]:

@@ -51,9 +51,10 @@ def moment_change(connection: Connection, m: Array) -> Array:
         change[:, THETA1] = change[:, THETA2] = -0.5 * skew(m)
     else:
         z = unit(connection.upright)
-        u = np.cross(z, m)
-        change[:, THETA1] = skew(z) @ skew(u)
-        change[:, THETA2] = -skew(u) @ skew(z)
+        Sz = skew(z)
+        Su = skew(Sz @ m)
+        change[:, THETA1] = Sz @ Su
+        change[:, THETA2] = -Su @ Sz
     return change
 
 
@@ -85,19 +86,16 @@ def connection_tangent(bodies: Sequence[Body], connection: Connection, reactions
     c1, c2 = arm(bodies, connection, 0), arm(bodies, connection, 1)
     df, dm = force_change(connection, f, c1, c2), moment_change(connection, m)
     dc1, dc2 = arm_changes(connection, c1, c2)
-    wrench = np.vstack(
-        [
-            df,
-            -skew(f) @ dc1 + skew(c1) @ df + dm,
-            -df,
-            skew(f) @ dc2 - skew(c2) @ df - dm,
-        ]
-    )
+    Sf, S1, S2 = skew(f), skew(c1), skew(c2)
+    wrench = np.zeros((12, 12))
+    wrench[X1], wrench[X2] = df, -df
+    wrench[THETA1] = S1 @ df - Sf @ dc1 + dm
+    wrench[THETA2] = Sf @ dc2 - S2 @ df - dm
     # resolved in axes that turn with each body
-    wrench[X1, THETA1] += skew(f)
-    wrench[THETA1, THETA1] += skew(np.cross(c1, f) + m)
-    wrench[X2, THETA2] -= skew(f)
-    wrench[THETA2, THETA2] -= skew(np.cross(c2, f) + m)
+    wrench[X1, THETA1] += Sf
+    wrench[THETA1, THETA1] += skew(S1 @ f + m)
+    wrench[X2, THETA2] -= Sf
+    wrench[THETA2, THETA2] -= skew(S2 @ f + m)
     return -wrench
 
 

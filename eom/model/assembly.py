@@ -8,11 +8,11 @@ import numpy as np
 from eom.assembly.algebra import DENSE, Algebra
 from eom.assembly.checks import check_system
 from eom.assembly.diagnosis import redundant_joints
-from eom.assembly.massless import IndexAboveOneError
+from eom.assembly.massless import FirstOrder, IndexAboveOneError, first_order, independent_equations
 from eom.assembly.matrices import DISPLACEMENTS, VELOCITIES, Matrices, assemble_matrices, joint_rows
 from eom.assembly.pivots import MANY_BODIES, choose_coordinates, with_cyclic, with_massless
 from eom.assembly.reduction import Pivots, Reduction
-from eom.assembly.rows import local_rows
+from eom.assembly.rows import row_count
 from eom.assembly.statics import unbalanced
 from eom.assembly.vectors import Array
 from eom.errors import DescriptionError, EquilibriumError, SingularError
@@ -42,12 +42,15 @@ class Assembly:
     matrices : Matrices
         All of them, statics included; the most used are attributes here too.
     pivots : Pivots
-        Which coordinates are dependent, which change nothing.
+        Which coordinates are dependent, which have no mass, which change nothing.
+    form : FirstOrder
+        The first-order form of the equations.
     """
 
     vehicle: Vehicle
     matrices: Matrices
     pivots: Pivots
+    form: FirstOrder
 
     @property
     def system(self) -> System:
@@ -157,7 +160,7 @@ class Assembly:
         """One name per row: the connection's, numbered where it has several rows."""
         result: list[str] = []
         for item in connections:
-            count = len(local_rows(self.system.bodies, item))
+            count = row_count(item)
             result += [item.name] if count == 1 else [f"{item.name}[{k}]" for k in range(count)]
         return tuple(result)
 
@@ -185,17 +188,19 @@ def assemble(vehicle: Vehicle) -> Assembly:
     except ValueError as error:
         raise SingularError(f"{vehicle.file}: {nearly_redundant(vehicle) or error}") from None
     check_equilibrium(vehicle, matrices)
+    equations = independent_equations(matrices)
     try:
-        pivots = with_cyclic(system, matrices, with_massless(system, matrices, pivots))
+        pivots = with_massless(system, matrices, equations, pivots)
+        form = first_order(equations, pivots)
     except IndexAboveOneError as error:
         velocity = int(matrices.reduction.independent_velocities[error.velocity])
         body = system.bodies[velocity // 6].name
         what = (
-            f"nothing determines the motion {body}.{VELOCITIES[velocity % 6]}: give the body mass or inertia, or hold it "
-            "by a spring or damper of its own"
+            f"nothing determines the motion {body}.{VELOCITIES[velocity % 6]}: give the body mass or "
+            "inertia, or hold it by a spring or damper of its own"
         )
         raise SingularError(str(vehicle.mistake(body, what))) from None
-    return Assembly(vehicle, matrices, pivots)
+    return Assembly(vehicle, matrices, with_cyclic(system, matrices.reduction, form, pivots), form)
 
 
 def algebra_for(bodies: int) -> Algebra:
@@ -210,7 +215,7 @@ def algebra_for(bodies: int) -> Algebra:
 def nearly_redundant(vehicle: Vehicle) -> str:
     """The sentence for joints that all but lock the same motion twice, empty if there are none."""
     system = vehicle.system
-    owners = [item.connection.name for item in system.constraints for _ in local_rows(system.bodies, item.connection)]
+    owners = [item.connection.name for item in system.constraints for _ in range(row_count(item.connection))]
     groups = redundant_joints(joint_rows(system)[0], owners, NEARLY)
     names = "; ".join(dict.fromkeys(" with ".join(group) for group in groups))
     return names and f"joints all but lock the same motion twice ({names}): let one carry less, or move them apart"

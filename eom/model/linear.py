@@ -106,7 +106,7 @@ def linearise(vehicle: Vehicle | Assembly) -> LinearModel:
     assembly = vehicle if isinstance(vehicle, Assembly) else assemble(vehicle)
     system = assembly.system
     try:
-        model = state_space(system, assembly.matrices, assembly.pivots)
+        model = state_space(system, assembly.matrices, assembly.pivots, assembly.form)
     except RateError as error:
         raise OutputError(str(assembly.vehicle.mistake(error.output, str(error)))) from None
     except ValueError as error:

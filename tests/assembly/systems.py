@@ -8,6 +8,7 @@ from hypothesis import Phase
 from numpy.typing import NDArray
 
 from eom.assembly.algebra import dense
+from eom.assembly.massless import first_order, independent_equations
 from eom.assembly.matrices import Matrices, assemble_matrices
 from eom.assembly.pivots import choose_coordinates, with_cyclic, with_massless
 from eom.assembly.reduction import Pivots
@@ -54,19 +55,26 @@ def assembled(system: System) -> Matrices:
 def pivots_of(system: System) -> Pivots:
     """All pivots of a system at its present numbers."""
     matrices = assembled(system)
-    return with_cyclic(system, matrices, with_massless(system, matrices, choose_coordinates(system)))
+    equations = independent_equations(matrices)
+    pivots = with_massless(system, matrices, equations, choose_coordinates(system))
+    return with_cyclic(system, matrices.reduction, first_order(equations, pivots), pivots)
+
+
+def state_space_of(system: System, matrices: Matrices, pivots: Pivots) -> StateSpace:
+    """State space of given matrices."""
+    return state_space(system, matrices, pivots, first_order(independent_equations(matrices), pivots))
 
 
 def model_with(system: System, pivots: Pivots) -> StateSpace:
     """State space of a system by given pivots."""
-    return state_space(system, assemble_matrices(system, pivots), pivots)
+    return state_space_of(system, assemble_matrices(system, pivots), pivots)
 
 
 def linear(system: System) -> Linear:
     """Matrices, pivots and state space of a system."""
     pivots = pivots_of(system)
     matrices = assemble_matrices(system, pivots)
-    return Linear(matrices, pivots, state_space(system, matrices, pivots))
+    return Linear(matrices, pivots, state_space_of(system, matrices, pivots))
 
 
 def tangent_stiffness(bodies: Sequence[Body], connections: Sequence[Connection], reactions: Sequence[Array]) -> Array:

@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 from eom.assembly.reduction import complement
-from eom.assembly.state_space import state_space
 from eom.vehicle.elements import (
     GROUND,
     Connection,
@@ -42,6 +41,7 @@ from tests.assembly.systems import (
     point,
     push,
     spring,
+    state_space_of,
     transfer,
     turn,
 )
@@ -219,7 +219,7 @@ def test_a_hitch_damper_on_body_axis_velocity_would_be_noticed() -> None:
     train = Train()
     system = system_of(train)
     m, pivots = assembled(system), pivots_of(system)
-    wrong = state_space(system, m._replace(K=m.K - m.K_damper), pivots)
+    wrong = state_space_of(system, m._replace(K=m.K - m.K_damper), pivots)
     distance = np.abs(roots(wrong.A)[:, np.newaxis] - roots(lagrange(train)[0]))
     assert np.max(np.min(distance, axis=1)) > 0.1
 
