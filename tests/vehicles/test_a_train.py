@@ -1,5 +1,7 @@
 """The A-train against a Lagrangian derivation: a pintle hands on no roll, a fifth wheel does."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
@@ -56,7 +58,7 @@ def test_the_elastic_matrix_joins_rolls_across_fifth_wheels_and_not_across_the_p
     assembly = eom.assemble(vehicle("a_train"))
     roll = [assembly.coordinates.index(f"{unit}_frame.roll") for unit in UNITS]
     stiffness = assembly.matrices.K_elastic
-    between = [stiffness[ahead, behind] for ahead, behind in zip(roll, roll[1:], strict=False)]
+    between = [stiffness[ahead, behind] for ahead, behind in pairwise(roll)]
     assert between == [-550e3, 0.0, -550e3]
 
 
