@@ -1,5 +1,6 @@
 """The A-train against a Lagrangian derivation: a pintle hands on no roll, a fifth wheel does."""
 
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -8,7 +9,7 @@ import pytest
 import eom
 from tests.referees.train import B_TRAIN, Axle, Body, Hitch, LinearModel, RollParts, TrainParameters, Unit, yaw_roll
 from tests.vehicles.agreement import assert_responses_agree, assert_roots_agree, response
-from tests.vehicles.shipped import vehicle
+from tests.vehicles.shipped import text, vehicle
 
 TRACTOR, SEMITRAILER_1, SEMITRAILER_2 = B_TRAIN.units
 DOLLY = Unit(
@@ -75,12 +76,34 @@ def test_a_steady_roll_moment_passes_the_fifth_wheel_and_ends_at_the_pintle() ->
 
 
 def test_a_stiffer_pintle_would_hand_on_roll() -> None:
-    from tests.vehicles.shipped import text
-
     file = text("a_train").replace("dolly: [0, 0, 0.9]}\n", "dolly: [0, 0, 0.9]}\n    roll_stiffness: 1 MN*m/rad\n")
     model = eom.linearise(eom.loads(file))
     rolls = steady(model, "semitrailer_2.roll_moment")
     assert abs(rolls["semitrailer_1_frame.roll"]) > 1e-3 * abs(rolls["semitrailer_2_frame.roll"])
+
+
+def test_a_fifth_wheel_that_carries_roll_rigidly_is_the_limit_of_a_stiff_one() -> None:
+    elastic = "carries: [x, y]\n    roll_stiffness: 550 kN*m/rad"
+    file = text("a_train")
+    assert file.count(elastic) == 2
+    rigid = eom.linearise(eom.loads(file.replace(elastic, "carries: [x, y, roll]")))
+    # each rigid one takes a roll and its rate away
+    assert len(rigid.states) == len(models(90.0)[0].states) - 4
+    own = rigid.frequency_response(np.array([0.4]))[0, :, rigid.inputs.index("axle_1.steer")]
+    errors = []
+    for stiffness in (1e9, 1e10):
+        hitches = [replace(item, roll_stiffness=stiffness if item.roll_stiffness else 0.0) for item in DATA.hitches]
+        other = yaw_roll(TrainParameters(DATA.units, tuple(hitches)), 25.0)
+        theirs = response(other, 0.4)[:, other.inputs.index("axle_1.steer")]
+        pairs = [
+            (own[k], theirs[other.outputs.index(NAMES.get(output, output))])
+            for k, output in enumerate(rigid.outputs)
+            if NAMES.get(output, output) in other.outputs
+        ]
+        errors.append(max(abs(a - b) / abs(b) for a, b in pairs))
+    # what a finite stiffness leaves is in proportion to its compliance
+    assert errors[0] < 0.02
+    assert errors[0] / errors[1] == pytest.approx(10.0, rel=0.05)
 
 
 @pytest.mark.parametrize("kmh", [30.0, 90.0])
