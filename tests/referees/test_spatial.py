@@ -14,9 +14,10 @@ from eom.assembly.reduction import StateSpace, state_space
 from eom.assembly.statics import Statics
 from tests.assembly.random_systems import Recipe, build, recipes
 from tests.assembly.systems import PHASES, Array, characteristic, linear
+from tests.referees.elimination import Spatial
 from tests.referees.jets import reciprocal, rotation, sqrt, variables
 from tests.referees.small_vehicles import CAR, CRANE, HALF_CAR, TRIANGLE, TRUCK_TRAILER
-from tests.referees.spatial import Spatial, linearise
+from tests.referees.spatial import linearise
 from tests.vehicles.shipped import NAMES, vehicle
 
 RELATIVE = 1e-9
