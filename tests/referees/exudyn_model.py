@@ -91,7 +91,7 @@ class Model:
 
     def spring(self, item: Elastic, tensions: list[float]) -> None:
         """A spring and damper along a line, loaded at the trim, or a bushing in the directions of a point, unloaded."""
-        connection, (k, k_turn), (c, c_turn) = item
+        connection, (k, k_turn), (c, c_turn) = item.connection, item.stiffness, item.damping
         markers, directions = self.markers(connection), chosen(connection)
         loads = [tensions.pop(0) for _ in range(1 if connection.line else sum(directions))]
         if connection.line:

@@ -15,10 +15,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from eom.vehicle.elements import GROUND, Body, Connection, Load, Output, System
+from eom.vehicle.elements import GROUND, Body, Load, Output, Slip, System
 from tests.referees.elimination import RANK, Measured, Spatial
 from tests.referees.finite_motion import ROOM, hinge_measures, kinetic_energy, measures, pair, sliding
 from tests.referees.jets import Array, Jet
+from tests.referees.springs import springs_of, statics
 
 Law = list[tuple[Jet, tuple[int, int]]]
 """What connections measure, each with its two bodies."""
@@ -29,7 +30,7 @@ class Sum:
 
     def __init__(self, bodies: tuple[Body, ...]) -> None:
         self.bodies, self.size = bodies, 6 * len(bodies)
-        self.C, self.K = np.zeros((self.size, self.size)), np.zeros((self.size, self.size))
+        self.M, self.C, self.K = np.zeros((3, self.size, self.size))
         self.load = np.zeros(self.size)
 
     def spread(self, indices: Sequence[int], rate: int = 0) -> Array:
@@ -53,16 +54,14 @@ class Sum:
         """Rows of derivatives with respect to all coordinates, or to all rates."""
         return np.array([self.row(jet, indices, rate) for jet, indices in law]).reshape(-1, self.size)
 
-    def inertia(self) -> Array:
-        """Mass matrix; what changes with velocity goes to C."""
-        M = np.zeros_like(self.C)
+    def inertia(self) -> None:
+        """The bodies' mass; what changes with velocity goes to C."""
         for k, body in enumerate(self.bodies):
             energy = kinetic_energy(body).hessian
             place, block = slice(6 * k, 6 * k + 6), energy[6:, :6]
-            M[place, place] = energy[6:, 6:]
+            self.M[place, place] += energy[6:, 6:]
             self.C[place, place] += block - block.T
             self.K[place, place] -= energy[:6, :6]
-        return M
 
     def potential(self, jet: Jet, indices: Sequence[int]) -> None:
         """A potential: its force at the trim and its stiffness."""
@@ -76,6 +75,16 @@ class Sum:
             self.K -= f.value * self.curvature(v, indices, 1)
             self.K -= np.outer(self.row(v, indices, 1), self.row(f, indices))
 
+    def slip(self, item: Slip, law: Sequence[Jet]) -> None:
+        """A force against sliding velocities, and against their rates."""
+        on_q, on_rate = (np.array([self.row(jet, item.connection.bodies, rate) for jet in law]) for rate in (0, 1))
+        Theta = np.array(item.coefficients)
+        self.K += on_rate.T @ Theta @ on_q
+        self.C += on_rate.T @ Theta @ on_rate
+        if item.added_mass:
+            self.C += on_rate.T @ np.array(item.added_mass) @ on_q
+            self.M += on_rate.T @ np.array(item.added_mass) @ on_rate
+
     def external(self, item: Load) -> None:
         """A load of constant components in the axes of its frame."""
         indices = (item.body, item.frame)
@@ -85,12 +94,6 @@ class Sum:
         arm = body.axes @ np.subtract(item.place, body.body.centre)
         self.force(list(frame.axes @ np.array(item.force)), list(body.velocity_at(arm)), indices)
         self.force(list(frame.axes @ np.array(item.moment)), list(body.axes @ body.turning), indices)
-
-
-def coefficients(connections: Sequence[Connection], values: Sequence[tuple[float, float]]) -> Array:
-    """One number per direction from those of forces and moments."""
-    counts = [(1 if item.line else item.forces, item.moments) for item in connections]
-    return np.repeat(np.array(values, dtype=float).ravel(), np.array(counts, dtype=int).ravel())
 
 
 def linearise(system: System, preloads: tuple[Array, Array] | None = None) -> Spatial:
@@ -108,54 +111,38 @@ def linearise(system: System, preloads: tuple[Array, Array] | None = None) -> Sp
         If the trim is not in equilibrium, or statics leaves preloads open.
     """
     bodies, add = system.bodies, Sum(system.bodies)
-    M = add.inertia()
+    add.inertia()
     for index, body in enumerate(bodies):
         one, _ = pair(bodies, (index, GROUND))
         add.potential(-body.mass * (one.centre @ np.array(system.gravity)), (index, GROUND))
     for load in system.loads:
         add.external(load)
-    J, reactions = constrain_and_spring(add, system, preloads)
-    size = max(1.0, float(np.max(np.abs(reactions), initial=0.0)))
-    if np.max(np.abs(add.load), initial=0.0) > RANK * size:
+    J, carried = constrain_and_spring(add, system, preloads)
+    if np.max(np.abs(add.load), initial=0.0) > RANK * max(1.0, float(np.max(np.abs(carried), initial=0.0))):
         raise ValueError(f"not in equilibrium: {add.load}")
     for slip in system.slip:
-        law = sliding(bodies, slip.connection, material=True)
-        on_q, on_rate = (np.array([add.row(jet, slip.connection.bodies, rate) for jet in law]) for rate in (0, 1))
-        add.K += on_rate.T @ np.array(slip.coefficients) @ on_q
-        add.C += on_rate.T @ np.array(slip.coefficients) @ on_rate
+        add.slip(slip, sliding(bodies, slip.connection, material=True))
     rolling = [(jet, item.bodies) for item in system.rolling for jet in sliding(bodies, item, material=True)]
     F, G = input_columns(add, system)
     outputs = tuple(measured(add, item, system) for item in system.outputs)
-    return Spatial(M, add.C, add.K, F, G, J, add.stack(rolling, 1), add.stack(rolling, 0), outputs)
+    return Spatial(add.M, add.C, add.K, F, G, J, add.stack(rolling, 1), add.stack(rolling, 0), outputs)
 
 
 def constrain_and_spring(add: Sum, system: System, preloads: tuple[Array, Array] | None) -> tuple[Array, Array]:
-    """Adds springs, dampers and all preloads; gives J and the preloads of joints and springs."""
-    joints = [item.connection for item in system.constraints]
-    springs = [item.connection for item in system.elastic]
+    """Adds springs, dampers, inerters and all preloads; gives J and the preloads of joints and springs."""
+    joints, springs = [item.connection for item in system.constraints], springs_of(system)
     locked = [(jet, item.bodies) for item in joints for jet in hinge_measures(system.bodies, item)]
-    elastic = [(jet, item.bodies) for item in springs for jet in measures(system.bodies, item)]
+    elastic = [(jet, item.connection.bodies) for item in springs for jet in item.measures]
     J, H = add.stack(locked), add.stack(elastic)
-    k = coefficients(springs, [item.stiffness for item in system.elastic])
-    c = coefficients(springs, [item.damping for item in system.elastic])
-    loads = np.concatenate(preloads or statics(J, H, k, add.load))
-    add.K += H.T * k @ H
-    add.C += H.T * c @ H
-    for (jet, indices), value in zip(locked + elastic, loads, strict=True):
+    carried = np.concatenate(preloads or statics(J, H, springs, add.load))
+    for item in springs:
+        rows = add.stack([(jet, item.connection.bodies) for jet in item.measures])
+        add.K += rows.T @ item.stiffness @ rows
+        add.C += rows.T @ item.damping @ rows
+        add.M += rows.T @ item.inertance @ rows
+    for (jet, indices), value in zip(locked + elastic, carried, strict=True):
         add.potential(-value * jet, indices)
-    return J, loads
-
-
-def statics(J: Array, H: Array, stiffness: Array, load: Array) -> tuple[Array, Array]:
-    """Reactions and spring loads of a structure that statics alone determines."""
-    carrying = stiffness != 0.0
-    transposed = np.vstack([J, H[carrying]]).T
-    solution, _, rank, _ = np.linalg.lstsq(transposed, -load, rcond=RANK)
-    if rank < transposed.shape[1]:
-        raise ValueError("statics alone leaves the preloads open")
-    tensions = np.zeros(len(H))
-    tensions[carrying] = solution[len(J) :]
-    return solution[: len(J)], tensions
+    return J, carried
 
 
 def input_columns(add: Sum, system: System) -> tuple[Array, Array]:

@@ -8,12 +8,14 @@ rounding spreads where they coincide; two different ones do not agree at points 
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
 import eom
-from eom.assembly.reduction import StateSpace, state_space
+from eom.assembly.state_space import StateSpace
 from eom.assembly.statics import Statics
-from tests.assembly.random_systems import Recipe, build, recipes
-from tests.assembly.systems import PHASES, Array, characteristic, linear
+from eom.vehicle.elements import Bushing, System
+from tests.assembly.random_systems import Recipe, build, in_equilibrium, recipes
+from tests.assembly.systems import PHASES, Array, characteristic, linear, point, state_space_of, vector
 from tests.referees.elimination import Spatial
 from tests.referees.jets import reciprocal, rotation, sqrt, variables
 from tests.referees.small_vehicles import CAR, CRANE, HALF_CAR, TRIANGLE, TRUCK_TRAILER
@@ -104,7 +106,7 @@ def test_dampers_on_body_axis_velocity_would_be_noticed(text: str) -> None:
     car = eom.loads(text)
     found = linear(car.system)
     wrong = found.matrices._replace(K=found.matrices.K - found.matrices.K_damper)
-    A, right = state_space(car.system, wrong, found.pivots).A, linearise(car.system).A()
+    A, right = state_space_of(car.system, wrong, found.pivots).A, linearise(car.system).A()
     s = POINTS[0]
     assert abs(characteristic(A, s) / characteristic(right, s) - 1.0) > 1e4 * RELATIVE
 
@@ -142,16 +144,49 @@ def test_a_rolling_disc_leans_as_finite_motion_says(U: float) -> None:
     assert_same(eom.linearise(disc), linearise(disc.system))
 
 
-@settings(
+examples = settings(
     max_examples=40,
     deadline=None,
     derandomize=True,
     phases=PHASES,
     suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much],
 )
+
+
+def judge(system: System) -> None:
+    """Compares a system of elements with the referee."""
+    found = linear(system)
+    assert_same(found.model, linearise(system, open_preloads(found.matrices.statics)))
+
+
+@examples
 @given(recipes())
 def test_random_systems_move_as_finite_motion_says(recipe: Recipe) -> None:
     """Trees and loops with every joint, bushings, supports, preloads, loads of all kinds, tyres, wheels that roll."""
-    system = build(recipe)
-    found = linear(system)
-    assert_same(found.model, linearise(system, open_preloads(found.matrices.statics)))
+    judge(build(recipe))
+
+
+def enriched(system: System, seed: int) -> System:
+    """The system with inerters, springs of given preload, fluid at its tyres, and a bushing of full matrices."""
+    numbers = np.random.default_rng(seed)
+
+    def square(size: int) -> tuple[tuple[float, ...], ...]:
+        root = numbers.normal(size=(size, size))
+        return tuple(tuple(row) for row in root @ root.T)
+
+    elastic = []
+    for item in system.elastic:
+        given = numbers.uniform(-20.0, 20.0) if item.connection.line and numbers.integers(2) else None
+        inertance = (float(numbers.uniform(0.0, 0.5)), float(numbers.uniform(0.0, 0.5)))
+        elastic.append(item._replace(inertance=inertance, preload=given))
+    slip = [item._replace(added_mass=square(len(item.coefficients))) for item in system.slip]
+    axes = vector(numbers.normal(size=3)), vector(numbers.normal(size=3))
+    place = point((0, 1), vector(numbers.normal(size=3)), 3, 3, name="bushing of matrices")
+    bushing = Bushing(place, axes, square(6), square(6))
+    return in_equilibrium(system._replace(elastic=tuple(elastic), slip=tuple(slip), bushings=(bushing,)))
+
+
+@examples
+@given(recipes(), st.integers(0, 1000))
+def test_random_systems_of_rarer_parts_move_as_finite_motion_says(recipe: Recipe, seed: int) -> None:
+    judge(enriched(build(recipe), seed))
