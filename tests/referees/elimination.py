@@ -54,13 +54,18 @@ class Spatial(NamedTuple):
         """Roots, zeros of free motions included."""
         return np.asarray(np.linalg.eigvals(self.A()), dtype=np.complex128)
 
+    def pencil(self, s: complex) -> Complex:
+        """Square matrix on (z, v) that is singular at the roots, also where motions have no mass."""
+        N, W, Y = self.reduced()
+        dynamic = W.T @ N.T @ (s * s * self.M + s * self.C + self.K) @ N
+        kinematic = s * np.eye(len(Y)) - Y
+        return np.block([[kinematic, -W], [dynamic, np.zeros((len(dynamic), W.shape[1]))]])
+
     def transfer(self, s: complex) -> Complex:
         """Transfer functions (outputs, inputs) at *s*."""
         N, W, Y = self.reduced()
-        dynamic = W.T @ N.T @ (s * s * self.M + s * self.C + self.K) @ N
-        matrix = np.block([[s * np.eye(len(Y)) - Y, -W], [dynamic, np.zeros((len(dynamic), W.shape[1]))]])
         right = np.vstack([np.zeros((len(Y), self.F.shape[1])), W.T @ N.T @ (self.F + s * self.G)])
-        q = N @ np.linalg.solve(matrix, right)[: len(Y)]
+        q = N @ np.linalg.solve(self.pencil(s), right)[: len(Y)]
         rows = [s**item.order * (item.on_q + s * item.on_rate) @ q + item.direct for item in self.outputs]
         return np.array(rows, dtype=np.complex128)
 

@@ -117,3 +117,31 @@ sensors:
   foot_acceleration: {body: right, at: [0.5, 0, 0], along: [1, 0, 0], measure: acceleration}
   tip: {body: left, about: [1, 0, 0], measure: position}
 """
+
+RELAXATION = """
+name: Car on tyres whose contact patches have no mass and lag behind
+gravity: 9.81
+trim: {speed: U, hold: true}
+parameters: {U: 15 m/s}
+bodies:
+  car: {mass: 1300, at: [-1.2, 0, 0.5], inertia: {xx: 400, yy: 1900, zz: 2100}}
+  front_patch: {mass: 0, at: [0, 0, 0]}
+  rear_patch: {mass: 0, at: [-2.6, 0, 0]}
+connectors:
+  road: {type: support, body: car, at: [-1.2, 0, 0], carries: [z, roll, pitch]}
+  front_guide: {type: rigid_point, between: [front_patch, car], at: [0, 0, 0], forces: 2, moments: 3, axis: [0, 1, 0]}
+  rear_guide: {type: rigid_point, between: [rear_patch, car], at: [-2.6, 0, 0], forces: 2, moments: 3, axis: [0, 1, 0]}
+  front_wall:
+    {type: flex_point, between: [front_patch, car], at: [0, 0, 0], forces: 1, axis: [0, 1, 0], stiffness: 15e4}
+  rear_wall:
+    {type: flex_point, between: [rear_patch, car], at: [-2.6, 0, 0], forces: 1, axis: [0, 1, 0], stiffness: 16e4}
+  front_slip: {type: slip_damper, body: front_patch, at: [0, 0, 0], axis: [0, 1, 0], damping: 9e4/U}
+  rear_slip: {type: slip_damper, body: rear_patch, at: [-2.6, 0, 0], axis: [0, 1, 0], damping: 11e4/U}
+actuators:
+  yaw_moment: {body: car, about: [0, 0, 1]}
+  side_wind: {body: car, at: [-1, 0, 0.5], along: [0, 1, 0]}
+sensors:
+  ay: {body: car, along: [0, 1, 0], measure: acceleration}
+  yaw_rate: {body: car, about: [0, 0, 1], measure: velocity, frame: body}
+  lag: {body: front_patch, relative_to: car, along: [0, 1, 0], measure: position}
+"""

@@ -18,7 +18,7 @@ from tests.assembly.random_systems import Recipe, build, in_equilibrium, recipes
 from tests.assembly.systems import PHASES, Array, characteristic, linear, point, state_space_of, vector
 from tests.referees.elimination import Spatial
 from tests.referees.jets import reciprocal, rotation, sqrt, variables
-from tests.referees.small_vehicles import CAR, CRANE, HALF_CAR, TRIANGLE, TRUCK_TRAILER
+from tests.referees.small_vehicles import CAR, CRANE, HALF_CAR, RELAXATION, TRIANGLE, TRUCK_TRAILER
 from tests.referees.spatial import linearise
 from tests.vehicles.shipped import NAMES, vehicle
 
@@ -129,6 +129,20 @@ def test_acceleration_of_bodies_on_joints_is_that_of_finite_motion() -> None:
 def test_a_preloaded_loop_is_as_stiff_as_finite_motion_says() -> None:
     triangle = eom.loads(TRIANGLE)
     assert_same(eom.linearise(triangle), linearise(triangle.system))
+
+
+def test_motions_without_mass_follow_their_forces_as_finite_motion_says() -> None:
+    """Contact patches between a spring and slip: one state each, instead of two."""
+    car = eom.loads(RELAXATION)
+    model, referee = eom.linearise(car), linearise(car.system)
+    for s in POINTS:
+        found = model.C @ np.linalg.solve(s * np.eye(len(model.A)) - model.A, model.B.astype(complex)) + model.D
+        expected = referee.transfer(s)
+        size = np.max(np.abs(expected), axis=1, keepdims=True)
+        np.testing.assert_allclose(found / size, expected / size, rtol=0.0, atol=RELATIVE)
+    for root in model.modes().eigenvalues:
+        sizes = np.linalg.svd(referee.pencil(root), compute_uv=False)
+        assert sizes[-1] < RELATIVE * sizes[0]
 
 
 @pytest.mark.parametrize("name", NAMES)
