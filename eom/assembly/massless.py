@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from eom.assembly.matrices import Matrices
-from eom.assembly.reduction import Pivots
+from eom.assembly.reduction import ROUNDING, Pivots
 from eom.assembly.vectors import Array
 
 INDEX_TOLERANCE = 1e-12
@@ -129,8 +129,14 @@ def first_order(equations: Equations, pivots: Pivots) -> FirstOrder:
 
 def dynamics(equations: Equations, q: Array, n: Array, force: Array, kept: Array) -> Array:
     """Rates of the velocities that have mass."""
-    rest = force - equations.K @ q - equations.C @ n
-    return np.linalg.solve(equations.M[np.ix_(kept, kept)], rest[kept])
+    M, rest = equations.M[np.ix_(kept, kept)], (force - equations.K @ q - equations.C @ n)[kept]
+    rates: Array = np.linalg.solve(M, rest)
+    jump = slice(rates.shape[1] - equations.G.shape[1], None)
+    if np.any(rest[:, jump]):
+        # what an input's rate does not move has no jump of rounding either
+        size = np.abs(np.linalg.inv(M)) @ np.abs(rest[:, jump])
+        rates[:, jump] = np.where(np.abs(rates[:, jump]) <= ROUNDING * size, 0.0, rates[:, jump])
+    return rates
 
 
 def check_decoupled(equations: Equations, null: Array, right: Array, left: Array) -> None:

@@ -13,6 +13,7 @@ from eom.assembly.vectors import Array
 from eom.vehicle.elements import Body
 
 RANK_TOLERANCE = 1e-10
+# loads in a file have some six digits
 BALANCE_TOLERANCE = 1e-6
 # beyond this many numbers a rank decision takes too long, and stiffness is asked at once
 LARGE = 500_000

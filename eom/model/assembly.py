@@ -215,8 +215,7 @@ def algebra_for(bodies: int) -> Algebra:
 def nearly_redundant(vehicle: Vehicle) -> str:
     """The sentence for joints that all but lock the same motion twice, empty if there are none."""
     system = vehicle.system
-    owners = [item.connection.name for item in system.constraints for _ in range(row_count(item.connection))]
-    groups = redundant_joints(joint_rows(system)[0], owners, NEARLY)
+    groups = redundant_joints(system, joint_rows(system)[0], NEARLY)
     names = "; ".join(dict.fromkeys(" with ".join(group) for group in groups))
     return names and f"joints all but lock the same motion twice ({names}): let one carry less, or move them apart"
 

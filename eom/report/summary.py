@@ -3,7 +3,9 @@
 import textwrap
 from collections.abc import Iterator
 
-from eom.assembly.diagnosis import redundant_joints
+import numpy as np
+
+from eom.assembly.diagnosis import locked_joints, redundant_joints, redundant_locks
 from eom.assembly.vectors import Array
 from eom.model.assembly import Assembly
 from eom.model.linear import state_names
@@ -18,6 +20,7 @@ def summary(assembly: Assembly) -> str:
         "\n".join(counts(assembly)),
         "\n".join(trim(assembly)),
         *load_tables(trim_loads(assembly)),
+        *deflections(assembly),
     ]
     return "\n\n".join(blocks) + "\n"
 
@@ -40,9 +43,18 @@ def counts(assembly: Assembly) -> Iterator[str]:
     if len(assembly.Jn):
         yield f"rolling constraints {len(assembly.Jn)}, rank {len(pivots.rolling_rows)}"
     yield f"degrees of freedom  {q}" + (f" ({n} in velocity)" if n != q else "")
+    locked = locked_joints(assembly.system, reduction)
+    if locked:
+        yield f"locked by loops     {', '.join(locked)}: free by themselves, but their loops let nothing move there"
+    if not q:
+        yield "                    no motion is left: the joints lock every body"
+    massless = [assembly.velocities[reduction.independent_velocities[k]] for k in (*pivots.damped, *pivots.static)]
+    if massless:
+        how = "placed by dampers or stiffness alone"
+        yield textwrap.fill(f"without inertia     {', '.join(massless)}: {how}", 100, subsequent_indent=" " * 20)
     names, _ = state_names(assembly)
     cyclic = ", ".join(names[k] for k in pivots.cyclic) or "none"
-    yield f"states              {q + n}, of which cyclic: {cyclic}"
+    yield f"states              {len(names)}, of which cyclic: {cyclic}"
     yield f"inputs, outputs     {len(assembly.system.inputs)}, {len(assembly.system.outputs)}"
 
 
@@ -50,12 +62,18 @@ def redundancy(assembly: Assembly, number: int) -> str:
     """Which joints lock the same motion."""
     if number == 0:
         return "none redundant"
-    owners = [name.split("[")[0] for name in assembly.constraint_rows]
-    groups = "; ".join(dict.fromkeys(" with ".join(group) for group in redundant_joints(assembly.J, owners)))
-    return (
-        f"{number} redundant ({groups})\n{' ' * 20}the loads of these joints are not unique, the smallest are shown;"
-        f"\n{' ' * 20}let one of them carry less"
+    found = redundant_joints(assembly.system, assembly.J)
+    lines = [f"{number} redundant ({'; '.join(dict.fromkeys(' with '.join(group) for group in found))})"]
+    for group in redundant_locks(assembly.system, assembly.J):
+        lines.append("locked more than once:")
+        lines += [f"  {lock}" for lock in group]
+    indefinite = assembly.matrices.statics.indefinite
+    owners = dict.fromkeys(
+        name.split("[")[0] for name, open_ in zip(assembly.constraint_rows, indefinite, strict=True) if open_
     )
+    lines += textwrap.wrap(f"not unique, the smallest are shown: the loads of {', '.join(owners)}", 100)
+    lines.append("let one of them carry less")
+    return f"\n{' ' * 20}".join(lines)
 
 
 def trim(assembly: Assembly) -> Iterator[str]:
@@ -67,7 +85,8 @@ def trim(assembly: Assembly) -> Iterator[str]:
     yield f"trim speed          {speed:.6g} m/s ({speed * 3.6:.6g} km/h), {how}"
     worst = float(abs(statics.residual).max(initial=0.0))
     stiff = any(item.stiffness != (0.0, 0.0) for item in assembly.system.elastic)
-    how = "statics alone" if statics.determinate else "statics and stiffness" if stiff else "smallest reactions"
+    how = "statics and stiffness" if stiff else "smallest reactions"
+    how = "statics alone" if statics.determinate else how
     yield f"equilibrium         by {how}, largest remainder {worst:.1e} N or N m"
 
 
@@ -98,6 +117,17 @@ def load_tables(loads: TrimLoads) -> Iterator[str]:
         )
     if loads.hold is not None:
         yield f"force that holds the speed: {number(loads.hold)} N"
+
+
+def deflections(assembly: Assembly) -> Iterator[str]:
+    """Table of the displacements, from the state without load, of the bodies that the loads displace."""
+    motions = np.round(1e3 * assembly.matrices.statics.deflection.reshape(-1, 6), 3) + 0.0
+    bent = np.flatnonzero(np.any(motions, axis=1))
+    if bent.size:
+        yield table(
+            ("static deflection", "x [mm]", "y [mm]", "z [mm]", "roll [mrad]", "pitch [mrad]", "yaw [mrad]"),
+            ((assembly.system.bodies[k].name, *(f"{value:.3f}" for value in motions[k])) for k in bent),
+        )
 
 
 def components(vector: Array) -> tuple[str, str, str]:

@@ -1,8 +1,10 @@
 """Numbers that describe something impossible are refused by name, file, line and column."""
 
+import numpy as np
 import pytest
 
 import eom
+from eom.report.summary import summary
 from tests.vehicles.shipped import text
 
 CAR = """\
@@ -105,8 +107,6 @@ def test_a_motion_without_mass_is_named() -> None:
 
 
 def test_redundant_joints_are_named() -> None:
-    from eom.report.summary import summary
-
     doubled = CAR + "  again: {type: support, body: frame, at: [1, 0, 0], carries: [z]}\n"
     report = summary(eom.assemble(eom.loads(doubled)))
     assert "constraints         4, rank 3, 1 redundant (plane with again)" in report
@@ -125,3 +125,51 @@ def test_joints_that_all_but_lock_the_same_motion_are_named() -> None:
     near = "again: {type: support, body: frame, at: [1e-7, 0, 0], carries: [z]}"
     message = refusal("carries: [z, roll, pitch]}", f"carries: [z, roll]}}\n  {near}", eom.SingularError)
     assert "joints all but lock the same motion twice (plane with again)" in message
+
+
+SPATIAL = """name: Four bars
+bodies:
+  a: {mass: 1, at: [0, 0, 1], inertia: {xx: 1, yy: 1, zz: 1}}
+  b: {mass: 1, at: [1, 0, 2], inertia: {xx: 1, yy: 1, zz: 1}}
+  c: {mass: 1, at: [2, 0, 1], inertia: {xx: 1, yy: 1, zz: 1}}
+connectors:
+  one: {type: rigid_point, between: [a, ground], at: [0, 0, 0], forces: 3, moments: 2, axis: [0, 1, 0]}
+  two: {type: rigid_point, between: [b, a], at: [0, 0, 2], forces: 3, moments: 2, axis: [0, 1, 0]}
+  three: {type: rigid_point, between: [c, b], at: [2, 0, 2], forces: 3, moments: 2, axis: [0, 1, 0]}
+  four: {type: rigid_point, between: [c, ground], at: [2, 0, 0], forces: 3, moments: 2, axis: [0, 1, 0]}
+"""
+
+
+def test_redundant_joints_are_shown_as_the_motions_that_they_lock() -> None:
+    """The fourth hinge of a plane four-bar locks sideways motion and both tilts again."""
+    report = summary(eom.assemble(eom.loads(SPATIAL)))
+    assert "constraints         20, rank 17, 3 redundant" in report
+    assert report.count("locked more than once:") == 3
+    assert "three: rotation about (1, 0, 0)" in report
+    assert "rotation about (" in report
+    assert "the loads of one, two, three, four" in report
+
+
+def test_a_loop_that_locks_is_named() -> None:
+    """A skew hinge in a plane four-bar: every hinge is free by itself, and none can turn."""
+    skew = SPATIAL.replace(
+        "at: [2, 0, 0], forces: 3, moments: 2, axis: [0, 1, 0]", "at: [2, 0, 0], forces: 3, moments: 2, axis: [1, 1, 0]"
+    )
+    report = summary(eom.assemble(eom.loads(skew)))
+    assert "locked by loops     one, two, three, four" in report
+    assert "no motion is left" in report
+
+
+def test_motions_without_inertia_are_listed() -> None:
+    point_mass = CAR.replace("inertia: {xx: 500, yy: 2000, zz: 2200}", "velocity: [20, 0, 0]")
+    report = summary(eom.assemble(eom.loads(point_mass)))
+    assert "without inertia     frame.yaw_rate: placed by dampers or stiffness alone" in report
+
+
+def test_planar_inertia_is_accepted_and_impossible_inertia_is_not() -> None:
+    """A moment of zero is one that the user leaves out."""
+    planar = CAR.replace("inertia: {xx: 500, yy: 2000, zz: 2200}", "inertia: {xx: 0, yy: 0, zz: 2200}")
+    same = eom.linearise(eom.loads(planar))
+    np.testing.assert_array_equal(same.A, eom.linearise(eom.loads(CAR)).A)
+    message = refusal("inertia: {xx: 500, yy: 2000, zz: 2200}", "inertia: {xx: 1, yy: 1, zz: 2200}")
+    assert "no body has principal moments of inertia 1, 1 and 2200 kg m^2" in message

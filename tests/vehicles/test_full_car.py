@@ -77,6 +77,7 @@ def test_the_body_follows_the_road_as_the_textbook_says(speed: float) -> None:
         motion, travel = textbook_response(float(frequency))
         expected = {"bounce": motion[0], "roll": motion[1], "pitch": motion[2]}
         expected["bounce_rate"] = 2j * np.pi * frequency * motion[0]
+        expected["bounce_acceleration"] = -((2.0 * np.pi * frequency) ** 2) * motion[0]
         for i, wheel in enumerate(WHEELS):
             expected[f"{wheel}_travel"] = travel[i]
             expected[f"{wheel}_tyre_deflection"] = motion[3 + i] - np.eye(4)[i]
