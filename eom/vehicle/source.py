@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 Path = tuple[str | int, ...]
 Data = dict[str, "Data"] | list["Data"] | str | float | bool | None
 
-MAX_BYTES, MAX_DEPTH, MAX_VALUES, MAX_KEY = 1_000_000, 30, 10_000, 60
+MAX_BYTES, MAX_DEPTH, MAX_VALUES, MAX_KEY = 1_000_000, 30, 60_000, 60
 NUMBER = re.compile(r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?", re.ASCII)
 LEADING_ZERO = re.compile(r"[-+]?0\d")
 EMPTY = {"", "~", "null", "Null", "NULL"}

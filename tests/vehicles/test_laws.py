@@ -66,7 +66,7 @@ def test_the_descriptor_form_has_the_state_spaces_roots(name: str) -> None:
     assert abs(sign_1 - sign_2) < 1e-8
 
 
-@pytest.mark.parametrize("name", ["quarter_car", "b_train_yaw_roll"])
+@pytest.mark.parametrize("name", ["quarter_car", "b_train_yaw_roll", "full_car", "four_bar", "a_train"])
 def test_without_dampers_and_tyres_energy_is_kept(name: str) -> None:
     system = vehicle(name).system
     conservative = system._replace(
