@@ -96,8 +96,10 @@ def stacked(blocks: Sequence[tuple[Sequence[int], Array]], size: int, algebra: A
 
 
 def block_diagonal(blocks: Sequence[Array], algebra: Algebra) -> Array:
-    """Square matrices along a diagonal."""
-    starts = np.cumsum([0, *(len(block) for block in blocks)])
-    places = [np.arange(at, at + len(block)) for at, block in zip(starts, blocks, strict=False)]
-    entries = ((place, place, block) for place, block in zip(places, blocks, strict=True))
-    return algebra.build((int(starts[-1]), int(starts[-1])), entries)
+    """Matrices along a diagonal."""
+    starts = np.cumsum([(0, 0), *(block.shape for block in blocks)], axis=0)
+    entries = (
+        (row + np.arange(block.shape[0]), column + np.arange(block.shape[1]), block)
+        for (row, column), block in zip(starts, blocks, strict=False)
+    )
+    return algebra.build((int(starts[-1][0]), int(starts[-1][1])), entries)
