@@ -5,7 +5,7 @@ from typing import Annotated, Literal, Self
 from pydantic import BeforeValidator, Field, field_validator, model_validator
 
 from eom.vehicle.parts import Flag, Identifier, Strict, not_a_flag
-from eom.vehicle.quantity import AngularDamping, AngularStiffness, Axis, Damping, Place, Stiffness
+from eom.vehicle.quantity import AngularDamping, AngularStiffness, Axis, Damping, Length, Place, Stiffness
 
 # without the check true would count as 1
 Count = Annotated[Literal[0, 1, 2, 3], BeforeValidator(not_a_flag)]
@@ -133,6 +133,7 @@ class TyreConnector(Strict):
     tyre: Identifier
     wheels: Annotated[Literal[1, 2], BeforeValidator(not_a_flag)] = 2
     steered: Flag = False
+    radius: Length | None = None
     mirror: Flag = False
 
 
