@@ -18,7 +18,7 @@ import numpy as np
 
 from eom.analysis.rotation import IDENTITY, conjugate, exponential, matrix, product
 from eom.assembly.rows import arm, six
-from eom.assembly.vectors import Array, directions, unit
+from eom.assembly.vectors import Array, directions, skew, unit
 from eom.vehicle.elements import GROUND, Body, Connection
 
 X1, THETA1, X2, THETA2 = (slice(3 * k, 3 * k + 3) for k in range(4))
@@ -78,10 +78,10 @@ def force_equations(connection: Connection, first: End, second: End, value: floa
         residual, turned = np.array([drawn - np.linalg.norm(d) - value]), np.zeros((1, 3))
     else:
         along = directions(connection.forces, connection.force_axis) @ second.R.T
-        residual, turned = along @ d - value, np.cross(along, d)
+        residual, turned = along @ d - value, along @ skew(d)
     derivative = np.zeros((len(along), 12))
-    derivative[:, X1], derivative[:, THETA1] = along, np.cross(first.arm, along)
-    derivative[:, X2], derivative[:, THETA2] = -along, turned - np.cross(second.arm, along)
+    derivative[:, X1], derivative[:, THETA1] = along, -along @ skew(first.arm)
+    derivative[:, X2], derivative[:, THETA2] = -along, turned + along @ skew(second.arm)
     return residual, derivative
 
 
@@ -95,11 +95,11 @@ def moment_equations(connection: Connection, first: End, second: End, value: flo
     about = directions(connection.moments, connection.moment_axis)
     if connection.upright is not None or connection.moments == 2:
         z = unit(connection.moment_axis if connection.upright is None else connection.upright)
-        across, axis = np.cross(z, about) @ first.R.T, second.R @ z
-        residual, turn = across @ axis, np.cross(across, axis)
+        across, axis = -about @ skew(z) @ first.R.T, second.R @ z
+        residual, turn = across @ axis, across @ skew(axis)
     else:
         q = relative(first, second)
-        own = q[0] * about + np.cross(q[1:], about)
+        own = q[0] * about - about @ skew(q[1:])
         c, s = np.cos(0.5 * value), np.sin(0.5 * value)
         residual = 2.0 * (c * about @ q[1:] - s * q[0])
         turn = (c * own + s * q[1:]) @ second.R.T

@@ -18,12 +18,12 @@ SINGULAR = 1e-2
 
 
 class Reached(NamedTuple):
-    """Where a path has led: the posture, its driven values and residual [m], and the sentence if it has ended."""
+    """Where a path has led: the posture, its driven values and residual [m], and what locks it if it has ended."""
 
     posture: Posture
     values: Array
     residual: float
-    end: str = ""
+    end: str | None = None
 
 
 def distance(mechanism: Mechanism, start: Posture, end: Posture) -> float:
@@ -72,9 +72,9 @@ def drives_locked(mechanism: Mechanism) -> str:
 def what_locks(mechanism: Mechanism, posture: Posture, values: Array, motion: Array) -> str:
     """The phrase that names the joints which lock together where a path that wants to go on by *motion* ends."""
     _, derivative = mechanism.rows(posture, values)
-    normal = derivative / np.maximum(np.linalg.norm(derivative, axis=1), 1e-300)[:, np.newaxis]
+    free = derivative[:, mechanism.free]
+    sigma = np.linalg.svd(free / np.maximum(np.linalg.norm(free, axis=1), 1e-300)[:, np.newaxis], compute_uv=False)
     rank = mechanism.factors(derivative).rank
-    sigma = mechanism.factors(normal).sigma
     least = float(sigma[rank - 1] / sigma[0])
     if least < SINGULAR:
         return show(groups(mechanism, derivative, 1.01 * least))

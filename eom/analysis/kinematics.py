@@ -124,13 +124,13 @@ def follow(drives: Drives) -> tuple[list[Reached], list[str]]:
     nearest = int(np.argmin(np.sum((values / span) ** 2, axis=1)))
     drawn = Reached(Posture.drawn(len(mechanism.bodies)), np.zeros(values.shape[1]), 0.0)
     start = advance(mechanism, drawn, values[nearest])
-    if start.end:
+    if start.end is not None:
         return [], [sentence(drives, start, values[nearest])]
     up, down, ends = [start], [start], []
     for way, targets in ((up, values[nearest + 1 :]), (down, values[:nearest][::-1])):
         for target in targets:
             following = advance(mechanism, way[-1], target)
-            if following.end:
+            if following.end is not None:
                 ends.append(sentence(drives, following, targets[-1]))
                 break
             way.append(following)

@@ -2,14 +2,14 @@
 
 import numpy as np
 
-from eom.assembly.vectors import Array
+from eom.assembly.vectors import Array, skew
 
 IDENTITY = np.array([1.0, 0.0, 0.0, 0.0])
 
 
 def product(p: Array, q: Array) -> Array:
     """Quaternion of the rotation q followed by p."""
-    vector = p[0] * q[1:] + q[0] * p[1:] + np.cross(p[1:], q[1:])
+    vector = p[0] * q[1:] + q[0] * p[1:] + skew(p[1:]) @ q[1:]
     return np.array([p[0] * q[0] - p[1:] @ q[1:], *vector])
 
 

@@ -17,6 +17,8 @@ Y, Z = np.array([0.0, 1.0, 0.0]), np.array([0.0, 0.0, 1.0])
 # of contact velocities' slopes: what rounding makes of parallel lines, and what is steering rather than travel
 PARALLEL = 1e-9
 STEEPEST = 1.0
+# rise of a contact point over the whole sweep, below which it does not travel [m]
+STILL = 1e-9
 
 
 class WheelState(NamedTuple):
@@ -73,11 +75,10 @@ def roll_centre(left: WheelState, right: WheelState) -> tuple[float, float]:
     velocity; the roll centre is where the two lines meet. Where both lie on the ground, its height is zero and its
     lateral place is open.
     """
-    speed = max(abs(left.velocity[2]), abs(right.velocity[2]))
     slopes = []
     for wheel in (left, right):
         _, y, z = wheel.velocity
-        if abs(z) <= PARALLEL * speed or abs(y) > STEEPEST * abs(z):
+        if abs(z) < STILL or abs(y) > STEEPEST * abs(z):
             return np.nan, np.nan
         slopes.append(float(y / z))
     (_, y_1, z_1), (_, y_2, z_2) = left.contact, right.contact
