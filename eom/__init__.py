@@ -60,4 +60,5 @@ def __getattr__(name: str) -> Any:
 
 def __dir__() -> list[str]:
     """The public names."""
-    return sorted([*PUBLIC, "EomError", "DescriptionError", "EquilibriumError", "MechanismError", "OutputError", "SingularError"])
+    errors = ("EomError", "DescriptionError", "EquilibriumError", "MechanismError", "OutputError", "SingularError")
+    return sorted([*PUBLIC, *errors])

@@ -149,5 +149,3 @@ def scaled(derivative: Array, connection: Connection, length: float) -> Array:
     columns[:, :, 1] /= length
     result[connection.forces :] *= length
     return result
-
-

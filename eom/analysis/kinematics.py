@@ -1,29 +1,23 @@
 """The kinematic sweep: a mechanism's postures and measures while its actuators are driven."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
 from eom.analysis.closed import Factors, Mechanism
-from eom.analysis.closure import Posture, measured
+from eom.analysis.closure import Posture
 from eom.analysis.continuation import Reached, advance, drives_locked
 from eom.analysis.drives import Drives, End, Wheel, plan, wheels
+from eom.analysis.measures import Measure, pair_measures, pair_name, sensor_measures, wheel_measures
 from eom.analysis.rotation import matrix
-from eom.analysis.wheels import WheelState, roll_centre, wheel_state
+from eom.analysis.wheels import wheel_state
 from eom.assembly.matrices import DISPLACEMENTS
 from eom.assembly.vectors import Array
 from eom.errors import MechanismError
 from eom.vehicle.load import Vehicle
 from eom.vehicle.mirror import other_side
-
-
-class Measure(NamedTuple):
-    """A measure over the sweep: its SI unit and its value at each point, NaN where it is not defined."""
-
-    unit: str
-    values: Array
 
 
 @dataclass(frozen=True)
@@ -181,51 +175,13 @@ def describe(vehicle: Vehicle, drives: Drives, found: Sequence[Wheel], reached: 
     )
 
 
-def wheel_measures(wheel: Wheel, states: Sequence[WheelState]) -> Iterator[tuple[str, Measure]]:
-    """The measures of one wheel."""
-    for name, unit in (("travel", "m"), ("camber", "rad"), ("toe", "rad"), ("steer", "rad")):
-        yield f"{wheel.name}.{name}", Measure(unit, np.array([getattr(state, name) for state in states]))
-    for k, axis in enumerate("xy"):
-        shift = np.array([state.contact[k] - wheel.contact[k] for state in states])
-        yield f"{wheel.name}.contact_{axis}", Measure("m", shift)
-
-
-def pair_name(name: str) -> str:
-    """The name of a left wheel without its side."""
-    return "_".join(word for word in name.split("_") if word not in {"left", "right"}) or "pair"
-
-
-def pair_measures(
-    name: str, left: Sequence[WheelState], right: Sequence[WheelState]
-) -> Iterator[tuple[str, Measure]]:
-    """The measures of a left and a right wheel together."""
-    pair = pair_name(name)
-    track = [float(a.contact[1] - b.contact[1]) for a, b in zip(left, right, strict=True)]
-    centre = np.array([roll_centre(a, b) for a, b in zip(left, right, strict=True)])
-    yield f"{pair}.track", Measure("m", np.array(track))
-    yield f"{pair}.roll_centre_height", Measure("m", centre[:, 1])
-    yield f"{pair}.roll_centre_y", Measure("m", centre[:, 0])
-
-
-def sensor_measures(vehicle: Vehicle, postures: Sequence[Posture]) -> Iterator[tuple[str, Measure]]:
-    """Every position sensor and output, without feed-through; turns are followed from point to point."""
-    for item in vehicle.system.outputs:
-        if item.quantity != "position":
-            continue
-        total = np.zeros(len(postures))
-        for weight, connection in item.terms:
-            own = np.array([measured(vehicle.system.bodies, connection, posture) for posture in postures])
-            total += weight * (own if connection.forces else np.unwrap(own, period=4.0 * np.pi))
-        yield item.name, Measure(item.unit, total)
-
-
 def undriven(mechanism: Mechanism, factors: Factors) -> tuple[str, ...]:
     """Names of coordinates whose motions nothing drives or locks, one for each of them."""
     null = factors.Vt[factors.rank :].copy()
     names = []
     for k in range(len(null)):
         rest = null[k:]
-        row, column = np.unravel_index(int(np.argmax(np.abs(rest).round(9))), rest.shape)
+        row, column = divmod(int(np.argmax(np.abs(rest).round(9))), rest.shape[1])
         null[[k, k + row]] = null[[k + row, k]]
         null[k] /= null[k, column]
         null[k + 1 :] -= np.outer(null[k + 1 :, column], null[k])

@@ -6,11 +6,12 @@ from pathlib import Path
 
 import numpy as np
 
-from eom.analysis.kinematics import KinematicSweep, Measure
+from eom.analysis.kinematics import KinematicSweep
+from eom.analysis.measures import Measure
 from eom.report.table import table
 
 SHOWN = {"m": ("mm", 1e3, 2), "rad": ("deg", 180.0 / np.pi, 3)}
-# of a wheel: smaller motions are not shown [m, rad]
+# smaller motions are not shown [m, rad]
 STILL = 1e-9
 WHEEL = ("travel", "camber", "toe", "steer", "contact_x", "contact_y")
 PAIR = ("track", "roll_centre_height", "roll_centre_y")
@@ -28,7 +29,7 @@ def shown(measure: Measure) -> tuple[str, list[str]]:
 
 
 def sweep_tables(sweep: KinematicSweep) -> str:
-    """A table for each wheel that moves, each pair with such a wheel, and the sensors; then what needs saying."""
+    """A table for each wheel that moves, each pair with such a wheel, and the sensors that move; then notes."""
     blocks, still, told = [], [], set()
     for wheel in sweep.wheels:
         own = {f"{wheel}.{name}" for name in WHEEL}
@@ -42,7 +43,8 @@ def sweep_tables(sweep: KinematicSweep) -> str:
         if np.ptp(sweep.measures[f"{pair}.track"].values) > STILL or has_centre(sweep, pair):
             blocks.append(one_table(sweep, pair, PAIR))
     sensors = [name for name in sweep.measures if name not in told]
-    if sensors:
+    still += [name for name in sensors if np.max(np.abs(sweep.measures[name].values)) < STILL]
+    if sensors := [name for name in sensors if name not in still]:
         blocks.append(one_table(sweep, "", sensors))
     return "\n\n".join([*blocks, "\n".join(notes(sweep, still))])
 

@@ -45,8 +45,10 @@ def draft_connector(
         case TyreConnector():
             place, body = standing(draft, name, item, path, site)
             tyre = find_tyre(draft, tyres, item.tyre, (*path, "tyre"))
-            draft.radii[name] = item.radius and draft.registry.number(
-                item.radius, f"{name}.radius", (*path, "radius"), site.scope
+            draft.radii[name] = (
+                None
+                if item.radius is None
+                else draft.registry.number(item.radius, f"{name}.radius", (*path, "radius"), site.scope)
             )
             if tyre is not None:
                 draft_tyre(draft, name, (body, item.tyre, tyre), place, item.wheels, item.steered)

@@ -4,8 +4,6 @@ import json
 from collections.abc import Mapping
 from typing import Any
 
-
-
 import eom
 
 Point = tuple[float, float]
@@ -100,9 +98,7 @@ def wishbones(lower: tuple[Point, Point], upper: tuple[Point, Point]) -> eom.Veh
     places = {"left_lower": lower, "left_upper": upper}
     bodies = {name: [0.0, *outer] for name, (_, outer) in places.items()}
     joints = {f"{name}_inner": hinge(name, "chassis", [0.0, *inner], x) for name, (inner, _) in places.items()}
-    joints |= {
-        f"{name}_outer": hinge("left_upright", name, [0.0, *outer], x) for name, (_, outer) in places.items()
-    }
+    joints |= {f"{name}_outer": hinge("left_upright", name, [0.0, *outer], x) for name, (_, outer) in places.items()}
     return car({**bodies, "left_upright": [0.0, 0.75, 0.3]}, joints, "left_upright")
 
 

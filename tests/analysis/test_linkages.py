@@ -53,7 +53,6 @@ def test_a_slider_crank_has_its_stroke_through_two_whole_turns() -> None:
 
 
 def test_a_sweep_ends_where_crank_and_coupler_are_in_line_and_names_what_locks() -> None:
-    # a + b < c + d: the rocker's side cannot follow when the diagonal is a + b... here the crank is the long one
     A, B, C, D = (0.0, 0.0), (0.0, 0.5), (0.3, 0.6), (0.6, 0.0)
     a, b, c, d = 0.5, np.hypot(0.3, 0.1), np.hypot(0.3, 0.6), 0.6
     with pytest.raises(eom.MechanismError, match="loops lock") as stop:
@@ -64,7 +63,7 @@ def test_a_sweep_ends_where_crank_and_coupler_are_in_line_and_names_what_locks()
     stretched = np.arccos((a**2 + d**2 - (b + c) ** 2) / (2.0 * a * d))
     limit = -(stretched - np.pi / 2.0)
     message = str(stop.value)
-    reached = float(message.split("'motor' to ")[1].split(" rad")[0])
+    reached = float(message.split("'motor' to ")[1].split(" rad", maxsplit=1)[0])
     # six digits are printed; at the limit itself the rocker's rate is infinite
     assert reached == pytest.approx(limit, abs=2e-5)
     for name in ("motor", "b", "c", "d"):
@@ -100,7 +99,7 @@ def meet(first: tuple[Point, Point], second: tuple[Point, Point]) -> np.ndarray:
     """Where two lines through pairs of points meet."""
     (p, q), (r, s) = (np.array(line) for line in (first, second))
     t, _ = np.linalg.solve(np.column_stack([q - p, r - s]), r - p)
-    return p + t * (q - p)
+    return np.asarray(p + t * (q - p))
 
 
 def test_the_roll_centre_of_a_trapezium_lies_on_the_line_to_its_instant_centre() -> None:

@@ -68,7 +68,8 @@ def test_every_joint_is_closed_in_plain_geometry(name: str) -> None:
     def place(k: int, body: int, drawn: tuple[float, ...]) -> np.ndarray:
         if body == GROUND:
             return np.array(drawn)
-        return result.positions[k, body] + result.rotations[k, body] @ np.subtract(drawn, system.bodies[body].centre)
+        arm = np.subtract(drawn, system.bodies[body].centre)
+        return np.asarray(result.positions[k, body] + result.rotations[k, body] @ arm)
 
     seen = 0
     for item in (constraint.connection for constraint in system.constraints):
@@ -84,11 +85,11 @@ def test_every_joint_is_closed_in_plain_geometry(name: str) -> None:
 
 
 def distances(upright: np.ndarray, fixed: np.ndarray, lengths: np.ndarray) -> np.ndarray:
-    return np.linalg.norm(upright - fixed, axis=1) - lengths
+    return np.asarray(np.linalg.norm(upright - fixed, axis=1) - lengths)
 
 
 def test_a_double_wishbone_corner_is_the_one_that_six_distances_give() -> None:
-    """The upright as three balls at fixed distances, each wishbone as two rods, the tie rod as one: no joints at all."""
+    """The upright as three balls, each wishbone as two rods, the tie rod as one: distances alone, no joints."""
     result = sweep(CAR, 9, front_left_road=LIFT, rack_travel=(-0.04, 0.04))
     x = 1.25
     hub = np.array([x, 0.78, 0.31])
@@ -108,7 +109,9 @@ def test_a_double_wishbone_corner_is_the_one_that_six_distances_give() -> None:
         return np.append(distances(moved[which], ends, lengths), unknown[2] - lift)
 
     for k, (lift, rack) in enumerate(zip(*(item.values for item in result.drives.values()), strict=True)):
-        unknown, _, flag, _ = fsolve(closed, [0.0, 0.0, lift, 0.0, 0.0, 4.0 * rack], (lift, rack), full_output=True, xtol=1e-13)
+        unknown, _, flag, _ = fsolve(
+            closed, [0.0, 0.0, lift, 0.0, 0.0, 4.0 * rack], (lift, rack), full_output=True, xtol=1e-13
+        )
         assert flag == 1
         R = Rotation.from_rotvec(unknown[3:]).as_matrix()
         assert result.rotations[k, body] == pytest.approx(R, abs=1e-9)

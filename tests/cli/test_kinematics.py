@@ -26,7 +26,10 @@ def test_tables_numbers_and_picture_of_a_sweep(
     with numbers.open(encoding="utf-8") as file:
         header, *lines = csv.reader(file)
     sweep = eom.kinematic_sweep(
-        vehicle("strut_suspension"), {"left_road": (-0.08, 0.08), "right_road": (-0.08, 0.08)}, hold=["chassis"], points=5
+        vehicle("strut_suspension"),
+        {"left_road": (-0.08, 0.08), "right_road": (-0.08, 0.08)},
+        hold=["chassis"],
+        points=5,
     )
     assert header[:3] == ["left_road [m]", "right_road [m]", "left_tyre.travel [m]"]
     written = np.array([float(line[header.index("left_tyre.camber [rad]")]) for line in lines])
