@@ -44,5 +44,5 @@ clean:
 
 .venv/developing: .venv/installed
 	@echo "installing the tools for development into .venv ..."
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[dev]'
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[dev,referees]'
 	@touch $@

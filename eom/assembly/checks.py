@@ -7,8 +7,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from eom.assembly.algebra import row_entry
 from eom.assembly.inertia import trim_velocity
-from eom.assembly.rows import rows
+from eom.assembly.rows import local_rows
 from eom.assembly.vectors import Array
 from eom.vehicle.elements import Body, Connection, Slip, System
 
@@ -33,6 +34,11 @@ def check_body(body: Body) -> Iterator[Finding]:
     size = float(np.max(np.abs(inertia)))
     if not np.allclose(inertia, inertia.T, rtol=0.0, atol=RELATIVE * size):
         yield body.name, "its inertia tensor is not symmetric"
+        return
+    # a moment of zero is left out: its rotation is locked, or has no inertia
+    present = np.flatnonzero(np.diag(inertia))
+    if present.size < 3 and not np.any(np.delete(inertia, present, axis=0)):
+        yield from check_spin(body, inertia)
         return
     first, second, third = np.linalg.eigvalsh(inertia)
     if first < -RELATIVE * size or third > (first + second) * (1.0 + RELATIVE) + RELATIVE * size:
@@ -99,8 +105,8 @@ def check_trim(system: System) -> Iterator[Finding]:
         ("tyre or slip damper", [item.connection for item in system.slip]),
     ):
         for connection in group:
-            jacobian = rows(system.bodies, connection)
-            rate = jacobian @ w
+            _, columns, jacobian = row_entry(0, connection.bodies, local_rows(system.bodies, connection))
+            rate = jacobian @ w[columns]
             limit = RELATIVE * size * float(np.max(np.abs(jacobian), initial=1.0))
             if np.any(np.abs(rate) > limit):
                 worst = float(rate[np.argmax(np.abs(rate))])

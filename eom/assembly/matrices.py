@@ -6,17 +6,21 @@ p holds small displacements and rotations of the centres of mass in inertial axe
 velocities in body axes, six a body.
 """
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
 
-from eom.assembly.inertia import kinematic_matrix, mass_matrix, momentum_matrix
-from eom.assembly.loads import load_resultants, load_stiffness, with_weight
-from eom.assembly.rows import rows, stack
-from eom.assembly.statics import Statics, elastic_coefficients, equilibrium
-from eom.assembly.tangent import tangent_stiffness
+from eom.assembly.algebra import DENSE, Algebra, Entry, block_diagonal, row_entry, square_entry, stacked
+from eom.assembly.elastic import Strained, damping_entries, elastic_items, inertance_entries, stiffness_entries
+from eom.assembly.inertia import kinematic_entries, mass_entries, momentum_entries
+from eom.assembly.loads import load_stiffness, load_sums, with_weight
+from eom.assembly.reduction import Pivots, Reduction, reduce_coordinates
+from eom.assembly.rows import local_rows, row_count
+from eom.assembly.statics import Statics, equilibrium
+from eom.assembly.tangent import tangent_entries
 from eom.assembly.vectors import Array
-from eom.vehicle.elements import System
+from eom.vehicle.elements import Connection, System
 
 DISPLACEMENTS = ("x", "y", "z", "roll", "pitch", "yaw")
 VELOCITIES = ("v_x", "v_y", "v_z", "roll_rate", "pitch_rate", "yaw_rate")
@@ -38,16 +42,21 @@ class Matrices(NamedTuple):
     J, Jn : Array
         Holonomic and nonholonomic constraint rows.
     H : Array
-        Elastic rows; their stiffness and damping in ``H_stiffness`` and ``H_damping``.
+        Elastic rows; their stiffness and damping, block-diagonal, in ``H_stiffness`` and ``H_damping``.
     H_slip : Array
         Slip rows, kept apart, with their coefficients ``Theta``: C contains H_slip' Theta H_slip.
     F, G : Array
         Generalised force per input and per rate of input, (N, inputs).
     f : Array
         Applied loads and weight, (N,).
-    K_elastic, K_tangent, K_load, K_damper, C_momentum, C_damper, C_slip : Array
-        The terms that K and C are the sums of.
+    M_body, M_inertance, M_added : Array
+        Terms of M: bodies, inerters and beams (which feel the second rate of p), and fluid (which feels dw/dt).
+    K_elastic, K_tangent, K_load, K_damper : Array
+        Terms of K.
+    C_momentum, C_damper, C_inertance, C_slip : Array
+        Terms of C.
     statics : Statics
+    reduction : Reduction
     """
 
     M: Array
@@ -64,26 +73,40 @@ class Matrices(NamedTuple):
     F: Array
     G: Array
     f: Array
+    M_body: Array
+    M_inertance: Array
+    M_added: Array
     K_elastic: Array
     K_tangent: Array
     K_load: Array
     K_damper: Array
     C_momentum: Array
     C_damper: Array
+    C_inertance: Array
     C_slip: Array
     statics: Statics
+    reduction: Reduction
 
 
-def slip_coefficients(system: System) -> Array:
-    """Theta: block-diagonal slip coefficients, square, one row per slip row [N s/m, N s]."""
-    blocks = [np.array(item.coefficients, dtype=float) for item in system.slip]
-    size = sum(len(block) for block in blocks)
-    Theta = np.zeros((size, size))
-    at = 0
-    for block in blocks:
-        Theta[at : at + len(block), at : at + len(block)] = block
-        at += len(block)
-    return Theta
+def connection_stack(system: System, connections: list[Connection], algebra: Algebra = DENSE) -> Array:
+    """Rows of several connections, one below the other."""
+    blocks = [(item.bodies, local_rows(system.bodies, item)) for item in connections]
+    return stacked(blocks, 6 * len(system.bodies), algebra)
+
+
+def joint_rows(system: System, algebra: Algebra = DENSE) -> tuple[Array, Array]:
+    """J and Jn."""
+    joints = [item.connection for item in system.constraints]
+    return connection_stack(system, joints, algebra), connection_stack(system, list(system.rolling), algebra)
+
+
+def slip_entries(system: System, which: str) -> Iterator[Entry]:
+    """Damping (*which* = ``coefficients``) or mass (``added_mass``) of slip elements, over all coordinates."""
+    for item in system.slip:
+        matrix = np.array(getattr(item, which), dtype=float)
+        if matrix.size:
+            own = local_rows(system.bodies, item.connection)
+            yield square_entry(item.connection.bodies, own.T @ matrix @ own)
 
 
 def input_columns(system: System, which: str) -> Array:
@@ -91,7 +114,8 @@ def input_columns(system: System, which: str) -> Array:
     columns = np.zeros((6 * len(system.bodies), len(system.inputs)))
     for k, item in enumerate(system.inputs):
         gain = np.array(item.gain if which == "gain" else item.rate_gain, dtype=float)
-        columns[:, k] = rows(system.bodies, item.connection).T @ gain
+        _, where, values = row_entry(0, item.connection.bodies, local_rows(system.bodies, item.connection))
+        columns[where, k] = values.T @ gain
     return columns
 
 
@@ -100,48 +124,69 @@ def split(values: Array, counts: list[int]) -> list[Array]:
     return [np.asarray(piece) for piece in np.split(values, np.cumsum(counts)[:-1])] if counts else []
 
 
-def assemble_matrices(system: System) -> Matrices:
-    """Assemble a system's matrices about its trim, statics included."""
-    bodies = system.bodies
+def carried_loads(system: System, items: list[Strained], statics: Statics) -> list[tuple[Connection, Array]]:
+    """Connections of joints and elastic items with what they carry."""
     joints = [item.connection for item in system.constraints]
-    springs = [item.connection for item in system.elastic]
-    J, H = stack(bodies, joints), stack(bodies, springs)
-    H_slip, Theta = stack(bodies, [item.connection for item in system.slip]), slip_coefficients(system)
-    V = kinematic_matrix(bodies)
-    k, c = elastic_coefficients(system.elastic, "stiffness"), elastic_coefficients(system.elastic, "damping")
-    loads = with_weight(bodies, system.loads, system.gravity)
-    resultants = load_resultants(bodies, loads)
-    f = np.sum(resultants, axis=0)
-    statics = equilibrium(bodies, J, H, k, resultants)
-    carried = [
-        *split(statics.reactions, [len(rows(bodies, item)) for item in joints]),
-        *split(statics.tensions, [len(rows(bodies, item)) for item in springs]),
+    reactions = split(statics.reactions, [row_count(item) for item in joints])
+    tensions = split(statics.tensions, [len(item.rows) for item in items])
+    carried = list(zip(joints, reactions, strict=True))
+    return carried + [
+        (item.connection, own) for item, own in zip(items, tensions, strict=True) if item.connection is not None
     ]
-    C_damper = (H.T * c) @ H
-    K_parts = (
-        (H.T * k) @ H,
-        tangent_stiffness(bodies, [*joints, *springs], carried),
-        load_stiffness(bodies, loads),
-        # a damper feels dp/dt = w - V p
-        -C_damper @ V,
+
+
+def assemble_matrices(system: System, pivots: Pivots, algebra: Algebra = DENSE) -> Matrices:
+    """Assemble a system's matrices about its trim, statics included.
+
+    Raises ``ValueError`` where the pivots do not fit the joints.
+    """
+    bodies = system.bodies
+    N = 6 * len(bodies)
+    square = (N, N)
+    J, Jn = joint_rows(system, algebra)
+    V = algebra.build(square, kinematic_entries(bodies))
+    reduction = reduce_coordinates(J, Jn, V, pivots, algebra)
+    items, loads = elastic_items(system), with_weight(system)
+    sums = load_sums(bodies, loads)
+    statics = equilibrium(bodies, items, (J, pivots, reduction), sums, algebra)
+    M_parts = (
+        algebra.build(square, mass_entries(bodies)),
+        algebra.build(square, inertance_entries(items)),
+        algebra.build(square, slip_entries(system, "added_mass")),
     )
-    C_parts = (momentum_matrix(bodies), C_damper, H_slip.T @ Theta @ H_slip)
+    C_damper = algebra.build(square, damping_entries(items))
+    K_parts = (
+        algebra.build(square, stiffness_entries(items)),
+        algebra.build(square, tangent_entries(bodies, carried_loads(system, items, statics))),
+        algebra.build(square, load_stiffness(bodies, loads)),
+        # a damper feels dp/dt = w - V p
+        -(C_damper @ V),
+    )
+    C_parts = (
+        algebra.build(square, momentum_entries(bodies)),
+        C_damper,
+        # an inerter feels the rate of that, dw/dt - V w, as V V = 0
+        -(M_parts[1] @ V),
+        algebra.build(square, slip_entries(system, "coefficients")),
+    )
     return Matrices(
-        mass_matrix(bodies),
-        sum(C_parts, np.zeros_like(V)),
-        sum(K_parts, np.zeros_like(V)),
+        M_parts[0] + M_parts[1] + M_parts[2],
+        C_parts[0] + C_parts[1] + C_parts[2] + C_parts[3],
+        K_parts[0] + K_parts[1] + K_parts[2] + K_parts[3],
         V,
         J,
-        stack(bodies, system.rolling),
-        H,
-        k,
-        c,
-        H_slip,
-        Theta,
+        Jn,
+        stacked([(item.bodies, item.rows) for item in items], N, algebra),
+        block_diagonal([item.stiffness for item in items], algebra),
+        block_diagonal([item.damping for item in items], algebra),
+        connection_stack(system, [item.connection for item in system.slip], algebra),
+        block_diagonal([np.array(item.coefficients, dtype=float) for item in system.slip], algebra),
         input_columns(system, "gain"),
         input_columns(system, "rate_gain"),
-        f,
+        sums[0],
+        *M_parts,
         *K_parts,
         *C_parts,
         statics,
+        reduction,
     )

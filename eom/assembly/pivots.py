@@ -1,27 +1,30 @@
-"""The choice of coordinates: which are independent, which motions change nothing."""
+"""The choice of coordinates: which are independent, which have no mass, which motions change nothing."""
 
 from collections.abc import Sequence
 
 import numpy as np
 
-from eom.assembly.matrices import Matrices
-from eom.assembly.reduction import (
-    CYCLIC_TOLERANCE,
-    Pivots,
-    Reduction,
-    complement,
-    cyclic_motion,
-    is_negligible,
-    reduce_coordinates,
-    state_matrix,
+from eom.assembly.algebra import DENSE, Algebra
+from eom.assembly.cyclic import CYCLIC_TOLERANCE, cyclic_motion, is_negligible, state_coordinates
+from eom.assembly.massless import (
+    INDEX_TOLERANCE,
+    MASS_TOLERANCE,
+    Equations,
+    FirstOrder,
+    null_basis,
 )
+from eom.assembly.matrices import Matrices, joint_rows
+from eom.assembly.reduction import Pivots, Reduction, complement, full
 from eom.assembly.statics import length_scales
+from eom.assembly.tree import pivoted_columns, spanning_tree
 from eom.assembly.vectors import Array
 from eom.vehicle.elements import System
 
 RANK_TOLERANCE = 1e-9
 # how readily a column becomes dependent: the lead body's motion and rotations are the coordinates people use
 LEAD_PREFERENCE, ROTATION_PREFERENCE = 0.03, 0.3
+# more bodies than these are reduced along a tree, with sparse matrices
+MANY_BODIES = 60
 
 
 def pivoted_elimination(matrix: Array, preference: Array) -> tuple[list[int], list[int]]:
@@ -60,56 +63,108 @@ def coordinate_preference(system: System) -> Array:
     return weights
 
 
-def choose_pivots(system: System, matrices: Matrices) -> Pivots:
-    """Dependent coordinates and cyclic motions of a system at its present numbers; every motion must have mass."""
-    return with_cyclic(system, matrices, choose_coordinates(system, matrices))
-
-
-def choose_coordinates(system: System, matrices: Matrices) -> Pivots:
+def choose_coordinates(system: System, algebra: Algebra = DENSE) -> Pivots:
     """Dependent coordinates alone."""
     preference = coordinate_preference(system)
-    kept, dependent = pivoted_elimination(matrices.J, preference)
-    independent, T = complement(matrices.J[kept], dependent)
-    rolling = pivoted_elimination(matrices.Jn @ T, preference[independent])
+    J, Jn = joint_rows(system, algebra)
+    if len(system.bodies) > MANY_BODIES:
+        kept, dependent = along_tree(system, J, preference, algebra)
+    else:
+        kept, dependent = pivoted_elimination(full(J), preference)
+    if not system.rolling:
+        return Pivots(tuple(kept), tuple(dependent))
+    independent, T, _ = complement(J[kept], dependent, algebra)
+    rolling = pivoted_elimination(Jn @ T, preference[independent])
     return Pivots(tuple(kept), tuple(dependent), tuple(rolling[0]), tuple(rolling[1]))
 
 
-def with_cyclic(system: System, matrices: Matrices, pivots: Pivots) -> Pivots:
+def along_tree(system: System, J: Array, preference: Array, algebra: Algebra) -> tuple[list[int], list[int]]:
+    """Independent rows and dependent coordinates of many bodies: a tree's, then those of its loops."""
+    tree = spanning_tree(system, preference, pivoted_elimination)
+    if not tree.loops:
+        return tree.rows, tree.dependent
+    independent, T, _ = complement(J[tree.rows], tree.dependent, algebra)
+    rows, columns = pivoted_columns(np.asarray(J[tree.loops] @ T), preference[independent], RANK_TOLERANCE)
+    kept = sorted([*tree.rows, *(tree.loops[k] for k in rows)])
+    return kept, sorted([*tree.dependent, *(int(independent[k]) for k in columns)])
+
+
+def with_massless(system: System, matrices: Matrices, equations: Equations, pivots: Pivots) -> Pivots:
+    """The pivots with the velocities that have no mass, and the coordinates that stiffness alone places.
+
+    Raises `IndexAboveOneError` for a motion that nothing determines.
+    """
+    null = massless_motions(equations.M)
+    if not null.shape[1]:
+        return pivots
+    weights = 1.0 / coordinate_preference(system)
+    _, massless = pivoted_elimination(null.T, weights[matrices.reduction.independent_velocities])
+    basis = null_basis(equations.M, massless)
+    damping = basis.T @ equations.C @ basis
+    limit = INDEX_TOLERANCE * float(np.max(np.abs(equations.C), initial=0.0))
+    _, sigma, directions = np.linalg.svd(damping)
+    undamped = directions[sigma <= np.maximum(limit, MASS_TOLERANCE * sigma[0])]
+    _, static = pivoted_elimination(undamped, np.ones(len(massless)))
+    damped = [velocity for k, velocity in enumerate(massless) if k not in static]
+    follow = [massless[k] for k in static]
+    path = equations.Qn @ basis @ undamped.T
+    _, positions = pivoted_elimination(path.T, np.ones(len(path)))
+    return pivots._replace(damped=tuple(damped), static=tuple(follow), static_positions=tuple(positions))
+
+
+def massless_motions(M: Array) -> Array:
+    """Null vectors of a reduced mass matrix, shape (n, motions)."""
+    size = np.diag(M)
+    scale = np.sqrt(np.where(size > 1e-13 * np.max(size, initial=0.0), size, 1.0))
+    scaled = M / np.outer(scale, scale)
+    try:
+        # regular: quick to tell
+        np.linalg.cholesky(scaled - MASS_TOLERANCE * np.eye(len(M)))
+    except np.linalg.LinAlgError:
+        values, vectors = np.linalg.eigh(scaled)
+        motions: Array = vectors[:, values <= MASS_TOLERANCE] / scale[:, np.newaxis]
+        return motions
+    return np.zeros((len(M), 0))
+
+
+def with_cyclic(system: System, reduction: Reduction, form: FirstOrder, pivots: Pivots) -> Pivots:
     """The pivots with the motions that change nothing, and the coordinates that stand for them."""
-    reduction = reduce_coordinates(matrices, pivots)
-    motions = cyclic_motions(system, matrices, reduction)
-    wanted = 1.0 / coordinate_preference(system)[reduction.independent]
+    motions = cyclic_motions(system, reduction, form, pivots)
+    at, _ = state_coordinates(reduction, pivots)
+    wanted = 1.0 / coordinate_preference(system)[at]
     # the pitch of a lone disc is also its spin: one of such motions stands for both
-    distinct, cyclic = pivoted_elimination(basis(system, reduction, motions).T, wanted)
+    distinct, cyclic = pivoted_elimination(basis(system, at, motions).T, wanted)
     return pivots._replace(cyclic_motions=tuple(motions[k] for k in distinct), cyclic=tuple(cyclic))
 
 
-def basis(system: System, reduction: Reduction, motions: Sequence[int]) -> Array:
-    """The motions as columns over the independent coordinates, shape (q, motions)."""
-    columns = [cyclic_motion(system.bodies, motion)[reduction.independent] for motion in motions]
-    return np.array(columns).T.reshape(len(reduction.independent), len(motions))
+def basis(system: System, at: Array, motions: Sequence[int]) -> Array:
+    """The motions as columns over the coordinates *at*, shape (q, motions)."""
+    columns = [cyclic_motion(system.bodies, motion)[at] for motion in motions]
+    return np.array(columns).T.reshape(len(at), len(motions))
 
 
-def cyclic_motions(system: System, matrices: Matrices, reduction: Reduction) -> tuple[int, ...]:
+def cyclic_motions(system: System, reduction: Reduction, form: FirstOrder, pivots: Pivots) -> tuple[int, ...]:
     """Rigid motions of the whole, and spins of bodies, that are possible and change no force and no velocity."""
-    A, _ = state_matrix(matrices, reduction)
-    n_q = len(reduction.independent)
+    A = form.rates[:, : len(form.rates)]
+    at, _ = state_coordinates(reduction, pivots)
     spinning = [6 + i for i, body in enumerate(system.bodies) if np.any(np.array(body.spin) != 0.0)]
     found = []
     for motion in [*range(6), *spinning]:
         p = cyclic_motion(system.bodies, motion)
         g = np.zeros((len(A), 1))
-        g[:n_q, 0] = p[reduction.independent]
-        possible = np.allclose(reduction.T @ g[:n_q, 0], p, rtol=0.0, atol=1e-9 * float(np.max(np.abs(p))))
-        if possible and is_negligible((A @ g)[n_q:], A[n_q:], g):
+        g[: len(at), 0] = p[at]
+        possible = np.allclose(
+            reduction.T @ p[reduction.independent], p, rtol=0.0, atol=1e-9 * float(np.max(np.abs(p)))
+        )
+        if possible and is_negligible((A @ g)[len(at) :], A[len(at) :], g):
             found.append(motion)
-    return closed(system, reduction, A[:n_q, :n_q], found)
+    return closed(system, at, A[: len(at), : len(at)], found)
 
 
-def closed(system: System, reduction: Reduction, drift: Array, motions: list[int]) -> tuple[int, ...]:
+def closed(system: System, at: Array, drift: Array, motions: list[int]) -> tuple[int, ...]:
     """Those of the motions that only lead into one another (heading into sideways position)."""
     while motions:
-        G = basis(system, reduction, motions)
+        G = basis(system, at, motions)
         outside = drift @ G - G @ np.linalg.lstsq(G, drift @ G, rcond=None)[0]
         limit = CYCLIC_TOLERANCE * float(np.max(np.abs(drift))) * float(np.max(np.abs(G)))
         staying = [motion for k, motion in enumerate(motions) if np.max(np.abs(outside[:, k])) <= limit]

@@ -1,9 +1,10 @@
-"""Jacobian rows: the motion that a connection measures, linear in the coordinates of all bodies."""
+"""Jacobian rows: the motion that a connection measures, linear in the coordinates of its two bodies."""
 
 from collections.abc import Sequence
 
 import numpy as np
 
+from eom.assembly.algebra import moving_columns
 from eom.assembly.vectors import Array, directions, skew
 from eom.vehicle.elements import GROUND, Body, Connection
 
@@ -13,11 +14,15 @@ def six(index: int) -> slice:
     return slice(6 * index, 6 * index + 6)
 
 
+def arm_of(bodies: Sequence[Body], index: int, place: Sequence[float]) -> Array:
+    """Vector from a body's centre to a place [m]; from the origin for ground."""
+    where = np.asarray(place, dtype=float)
+    return where if index == GROUND else where - np.asarray(bodies[index].centre, dtype=float)
+
+
 def arm(bodies: Sequence[Body], connection: Connection, end: int) -> Array:
     """Vector from the centre of the body at *end* (0 or 1) to its place [m]; from the origin for ground."""
-    index = connection.bodies[end]
-    place = np.asarray(connection.places[end], dtype=float)
-    return place if index == GROUND else place - np.asarray(bodies[index].centre, dtype=float)
+    return arm_of(bodies, connection.bodies[end], connection.places[end])
 
 
 def force_directions(connection: Connection) -> Array:
@@ -28,21 +33,31 @@ def force_directions(connection: Connection) -> Array:
     return directions(connection.forces, connection.force_axis)
 
 
-def rows(bodies: Sequence[Body], connection: Connection) -> Array:
-    """Rows of the connection, shape (forces + moments, 6 n): motion of its first body minus its second one's."""
+def row_count(connection: Connection) -> int:
+    """Number of the connection's rows."""
+    return (1 if connection.line else connection.forces) + connection.moments
+
+
+def local_rows(bodies: Sequence[Body], connection: Connection) -> Array:
+    """Rows of the connection, shape (forces + moments, 12), over the coordinates of its first and second body.
+
+    The motion of the first body minus that of the second one.
+    """
     along = force_directions(connection)
     about = directions(connection.moments, connection.moment_axis)
-    result = np.zeros((len(along) + len(about), 6 * len(bodies)))
-    for end, sign in ((0, 1.0), (1, -1.0)):
-        index = connection.bodies[end]
-        if index != GROUND:
-            block = result[:, six(index)]
-            block[: len(along), :3] = sign * along
-            block[: len(along), 3:] = -sign * along @ skew(arm(bodies, connection, end))
-            block[len(along) :, 3:] = sign * about
+    n = len(along)
+    result = np.zeros((n + len(about), 12))
+    result[:n, :3], result[:n, 6:9] = along, -along
+    result[:n, 3:6] = -along @ skew(arm(bodies, connection, 0))
+    result[:n, 9:] = along @ skew(arm(bodies, connection, 1))
+    result[n:, 3:6], result[n:, 9:] = about, -about
     return result
 
 
-def stack(bodies: Sequence[Body], connections: Sequence[Connection]) -> Array:
-    """Rows of several connections, one below the other."""
-    return np.vstack([np.zeros((0, 6 * len(bodies))), *(rows(bodies, item) for item in connections)])
+def rows(bodies: Sequence[Body], connection: Connection) -> Array:
+    """The connection's rows over all coordinates, shape (forces + moments, 6 n)."""
+    columns, local = moving_columns(connection.bodies)
+    own = local_rows(bodies, connection)
+    result = np.zeros((len(own), 6 * len(bodies)))
+    result[:, columns] = own[:, local]
+    return result

@@ -6,11 +6,16 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from eom.assembly.algebra import Algebra, stacked
+from eom.assembly.elastic import Strained, carrying_modes
+from eom.assembly.reduction import ROUNDING, Pivots, Reduction, full
 from eom.assembly.vectors import Array
-from eom.vehicle.elements import Body, Elastic
+from eom.vehicle.elements import Body
 
 RANK_TOLERANCE = 1e-10
-BALANCE_TOLERANCE = 1e-9
+BALANCE_TOLERANCE = 1e-6
+# beyond this many numbers a rank decision takes too long, and stiffness is asked at once
+LARGE = 500_000
 
 
 class Statics(NamedTuple):
@@ -21,15 +26,19 @@ class Statics(NamedTuple):
     reactions : Array
         One per constraint row, positive along its direction on the first body [N, N m].
     tensions : Array
-        One per elastic row, zero where the row has no stiffness [N, N m].
+        One per elastic row, zero where the row has no stiffness and no given preload [N, N m].
     residual : Array
         What remains unbalanced on each coordinate, shape (6 n,) [N, N m].
     limit : float
-        The largest residual that rounding explains [N, N m].
+        The largest residual that counts as balanced [N, N m].
     determinate : bool
-        True if statics alone gives every reaction.
+        True if statics alone gives every tension and reaction.
+    indefinite : Array
+        Per constraint row, whether its reaction is not unique: redundant joints share a load in any proportion, and
+        the smallest reactions are taken.
     deflection : Array
-        Small displacement that the loads cause from the unloaded state, shape (6 n,), zero if determinate.
+        Small displacement that the loads cause from the state without preload, shape (6 n,); the smallest one
+        where a motion is free.
     """
 
     reactions: Array
@@ -37,17 +46,8 @@ class Statics(NamedTuple):
     residual: Array
     limit: float
     determinate: bool
+    indefinite: NDArray[np.bool_]
     deflection: Array
-
-
-def elastic_coefficients(elastic: Sequence[Elastic], which: str) -> Array:
-    """Stiffness or damping of each elastic row, in the order of `stack`."""
-    values = [np.zeros(0)]
-    for item in elastic:
-        forces = 1 if item.connection.line else item.connection.forces
-        linear, angular = item.stiffness if which == "stiffness" else item.damping
-        values.append(np.concatenate([np.full(forces, linear), np.full(item.connection.moments, angular)]))
-    return np.concatenate(values).astype(np.float64)
 
 
 def length_scales(bodies: Sequence[Body]) -> Array:
@@ -57,47 +57,122 @@ def length_scales(bodies: Sequence[Body]) -> Array:
     return np.tile([1.0, 1.0, 1.0, size, size, size], len(bodies))
 
 
-def equilibrium(bodies: Sequence[Body], J: Array, H: Array, stiffness: Array, loads: Array) -> Statics:
-    """Solve f + J' reactions + H' tensions = 0 for rows that can carry load, f the sum of the rows of *loads*.
+def equilibrium(
+    bodies: Sequence[Body],
+    items: Sequence[Strained],
+    constraints: tuple[Array, Pivots, Reduction],
+    loads: tuple[Array, Array],
+    algebra: Algebra,
+) -> Statics:
+    """Solve f + J' reactions + H' tensions = 0 for joints and for elastic rows that can carry load.
 
-    Where statics leaves them open, the elastic rows share the load as their stiffness demands, from a state
-    without preload; what is still open then takes the smallest reactions.
+    *constraints* are J, its pivots and its reduction, *loads* f and the sum of the sizes that it is made of. Where
+    statics leaves tensions open, the elastic rows share the load as their stiffness demands, from a state without
+    preload; what redundant joints leave open then takes the smallest reactions.
     """
-    scale, f = length_scales(bodies), np.sum(loads, axis=0)
-    carrying = stiffness != 0.0
-    Hc, k = H[carrying], stiffness[carrying]
-    T = np.hstack([J.T, Hc.T]) / scale[:, np.newaxis]
-    found = np.linalg.lstsq(T, -f / scale, rcond=RANK_TOLERANCE)
-    solution: Array = np.asarray(found[0], dtype=np.float64)
-    rank = found[2]
-    determinate = int(rank) == T.shape[1]
-    deflection = np.zeros(len(f))
-    if not determinate:
-        solution, deflection = share_by_stiffness(J / scale, Hc / scale, k, f / scale)
-        deflection /= scale
-    reactions, tensions = solution[: len(J)], np.zeros(len(H))
-    tensions[carrying] = solution[len(J) :]
+    (J, pivots, reduction), (f, acting) = constraints, loads
+    modes = [carrying_modes(item) for item in items]
+    H = stacked([(item.bodies, item.rows) for item in items], len(f), algebra)
+    carrying = stacked(
+        [(item.bodies, combined.T @ item.rows) for item, (combined, _) in zip(items, modes, strict=True)],
+        len(f),
+        algebra,
+    )
+    k = np.concatenate([np.zeros(0), *(own for _, own in modes)])
+    given = np.concatenate([np.zeros(0), *(np.full(len(item.rows), item.preload or 0.0) for item in items)])
+    free = free_motions(reduction, len(k))
+    applied = f + H.T @ given
+    shared, determinate, motion = share(without_rounding(carrying, free), k, np.asarray(free.T @ applied))
+    tensions = given + spread(shared, modes)
+    reactions, indefinite = joint_reactions(J, pivots, reduction, -(f + H.T @ tensions))
     residual = f + J.T @ reactions + H.T @ tensions
     # rounding is measured by what is added up, not by the sum
-    acting = np.sum(np.abs(loads), axis=0) + np.abs(J.T) @ np.abs(reactions) + np.abs(H.T) @ np.abs(tensions)
-    limit = BALANCE_TOLERANCE * float(np.max(acting / scale, initial=0.0))
-    return Statics(reactions, tensions, residual, limit, determinate, deflection)
+    size = acting + abs(J.T) @ np.abs(reactions) + abs(H.T) @ np.abs(tensions)
+    limit = BALANCE_TOLERANCE * float(np.max(size / length_scales(bodies), initial=0.0))
+    determinate = determinate and not np.any(indefinite)
+    return Statics(reactions, tensions, residual, limit, determinate, indefinite, free @ motion)
 
 
-def share_by_stiffness(J: Array, H: Array, k: Array, f: Array) -> tuple[Array, Array]:
-    """Reactions with tensions, and deflection, of an elastic structure under the loads *f*."""
-    n, q = J.shape[1], len(J)
-    # in units of the stiffest spring, so that the rows of constraints and springs are comparable
-    unit_stiffness = float(np.max(k, initial=0.0)) or 1.0
-    system = np.zeros((q + n, q + n))
-    system[:q, q:] = J
-    system[q:, :q] = J.T
-    system[q:, q:] = -(H.T * (k / unit_stiffness)) @ H
-    right = np.concatenate([np.zeros(q), -f])
-    solution = np.linalg.lstsq(system, right, rcond=RANK_TOLERANCE)[0]
-    motion = solution[q:]
-    tensions = -(k / unit_stiffness) * (H @ motion)
-    return np.concatenate([solution[:q], tensions]), motion / unit_stiffness
+def free_motions(reduction: Reduction, springs: int) -> Array:
+    """Basis of the displacements that the joints allow, orthonormal where elastic rows have to share a load."""
+    T = reduction.T
+    if reduction.factor is None or not springs or T.size > LARGE:
+        return T
+    Q: Array = np.linalg.qr(T)[0]
+    return Q
+
+
+def without_rounding(rows: Array, motions: Array) -> Array:
+    """The product of *rows* and *motions*, exactly zero where their terms cancel but for rounding."""
+    product = np.asarray(rows @ motions)
+    size = np.max(abs(rows) @ np.abs(motions), axis=1, initial=0.0)[:, np.newaxis]
+    return np.where(np.abs(product) <= ROUNDING * size, 0.0, product)
+
+
+def spread(shared: Array, modes: Sequence[tuple[Array, Array]]) -> Array:
+    """Tensions of all elastic rows from those of the load-carrying modes."""
+    pieces, at = [np.zeros(0)], 0
+    for combined, own in modes:
+        pieces.append(combined @ shared[at : at + len(own)])
+        at += len(own)
+    return np.concatenate(pieces)
+
+
+def share(H: Array, k: Array, f: Array) -> tuple[Array, bool, Array]:
+    """Tensions with f + H' tensions = 0, whether statics alone tells them, and the deflection H e = -tensions / k."""
+    if H.size > LARGE and (found_quickly := share_quickly(H, k, f)) is not None:
+        return found_quickly
+    found = np.linalg.lstsq(H.T, -f, rcond=RANK_TOLERANCE)
+    tensions: Array = np.asarray(found[0])
+    determinate = int(found[2]) == len(k)
+    if not determinate and np.all(k > 0.0):
+        # least complementary energy
+        root = np.sqrt(k)
+        tensions = root * np.linalg.lstsq(H.T * root, -f, rcond=RANK_TOLERANCE)[0]
+    elif not determinate:
+        motion = np.asarray(np.linalg.lstsq((H.T * k) @ H, f, rcond=RANK_TOLERANCE)[0])
+        return -k * (H @ motion), False, motion
+    motion = np.asarray(np.linalg.lstsq(H, -tensions / k, rcond=RANK_TOLERANCE)[0])
+    return tensions, determinate, motion
+
+
+def share_quickly(H: Array, k: Array, f: Array) -> tuple[Array, bool, Array] | None:
+    """As `share`, by factors that many rows afford; None where neither rows nor stiffness are regular."""
+    try:
+        gram = regular(H @ H.T)
+        tensions = -np.linalg.solve(gram, H @ f)
+        return np.asarray(tensions), True, np.asarray(-H.T @ np.linalg.solve(gram, tensions / k))
+    except np.linalg.LinAlgError:
+        pass
+    try:
+        motion = np.asarray(np.linalg.solve(regular((H.T * k) @ H), f), dtype=np.float64)
+        return -k * (H @ motion), False, motion
+    except np.linalg.LinAlgError:
+        return None
+
+
+def regular(matrix: Array) -> Array:
+    """The symmetric matrix itself; raises ``LinAlgError`` unless it is clearly positive definite."""
+    np.linalg.cholesky(matrix - RANK_TOLERANCE * np.max(np.abs(matrix), initial=0.0) * np.eye(len(matrix)))
+    return matrix
+
+
+def joint_reactions(J: Array, pivots: Pivots, reduction: Reduction, wanted: Array) -> tuple[Array, NDArray[np.bool_]]:
+    """The smallest reactions with J' reactions = *wanted*, and which of them are not unique."""
+    reactions, indefinite = np.zeros(J.shape[0]), np.zeros(J.shape[0], dtype=bool)
+    if reduction.factor is None:
+        return reactions, indefinite
+    kept, dependent = list(pivots.rows), list(pivots.dependent)
+    reactions[kept] = reduction.factor.solve_transposed(wanted[dependent])
+    repeated = np.setdiff1d(np.arange(J.shape[0]), kept)
+    if repeated.size:
+        # stresses of the joints against each other, which no load needs
+        null = np.zeros((J.shape[0], len(repeated)))
+        null[repeated, np.arange(len(repeated))] = 1.0
+        null[kept] = -reduction.factor.solve_transposed(full(J[repeated][:, dependent]).T)
+        reactions -= null @ np.linalg.lstsq(null, reactions, rcond=None)[0]
+        indefinite = np.max(np.abs(null), axis=1) > RANK_TOLERANCE * np.max(np.abs(null))
+    return reactions, indefinite
 
 
 def unbalanced(bodies: Sequence[Body], statics: Statics) -> NDArray[np.intp]:

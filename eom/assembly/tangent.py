@@ -11,13 +11,14 @@ the first body at its place and, reversed, on the second body at that same spot:
   relative to that plane does not carry it along.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from eom.assembly.rows import arm, force_directions, six
+from eom.assembly.algebra import Entry, square_entry
+from eom.assembly.rows import arm, force_directions
 from eom.assembly.vectors import Array, directions, skew, unit
-from eom.vehicle.elements import GROUND, Body, Connection
+from eom.vehicle.elements import Body, Connection
 
 X1, THETA1, X2, THETA2 = (slice(3 * k, 3 * k + 3) for k in range(4))
 
@@ -50,9 +51,10 @@ def moment_change(connection: Connection, m: Array) -> Array:
         change[:, THETA1] = change[:, THETA2] = -0.5 * skew(m)
     else:
         z = unit(connection.upright)
-        u = np.cross(z, m)
-        change[:, THETA1] = skew(z) @ skew(u)
-        change[:, THETA2] = -skew(u) @ skew(z)
+        Sz = skew(z)
+        Su = skew(Sz @ m)
+        change[:, THETA1] = Sz @ Su
+        change[:, THETA2] = -Su @ Sz
     return change
 
 
@@ -84,29 +86,21 @@ def connection_tangent(bodies: Sequence[Body], connection: Connection, reactions
     c1, c2 = arm(bodies, connection, 0), arm(bodies, connection, 1)
     df, dm = force_change(connection, f, c1, c2), moment_change(connection, m)
     dc1, dc2 = arm_changes(connection, c1, c2)
-    wrench = np.vstack(
-        [
-            df,
-            -skew(f) @ dc1 + skew(c1) @ df + dm,
-            -df,
-            skew(f) @ dc2 - skew(c2) @ df - dm,
-        ]
-    )
+    Sf, S1, S2 = skew(f), skew(c1), skew(c2)
+    wrench = np.zeros((12, 12))
+    wrench[X1], wrench[X2] = df, -df
+    wrench[THETA1] = S1 @ df - Sf @ dc1 + dm
+    wrench[THETA2] = Sf @ dc2 - S2 @ df - dm
     # resolved in axes that turn with each body
-    wrench[X1, THETA1] += skew(f)
-    wrench[THETA1, THETA1] += skew(np.cross(c1, f) + m)
-    wrench[X2, THETA2] -= skew(f)
-    wrench[THETA2, THETA2] -= skew(np.cross(c2, f) + m)
+    wrench[X1, THETA1] += Sf
+    wrench[THETA1, THETA1] += skew(S1 @ f + m)
+    wrench[X2, THETA2] -= Sf
+    wrench[THETA2, THETA2] -= skew(S2 @ f + m)
     return -wrench
 
 
-def tangent_stiffness(bodies: Sequence[Body], connections: Sequence[Connection], reactions: Sequence[Array]) -> Array:
-    """Sum of the connections' tangent stiffness over all coordinates, shape (6 n, 6 n)."""
-    K = np.zeros((6 * len(bodies), 6 * len(bodies)))
-    for connection, reaction in zip(connections, reactions, strict=True):
-        local = connection_tangent(bodies, connection, reaction)
-        for i, row in enumerate(connection.bodies):
-            for j, column in enumerate(connection.bodies):
-                if GROUND not in (row, column):
-                    K[six(row), six(column)] += local[6 * i : 6 * i + 6, 6 * j : 6 * j + 6]
-    return K
+def tangent_entries(bodies: Sequence[Body], carried: Sequence[tuple[Connection, Array]]) -> Iterator[Entry]:
+    """Tangent stiffness of connections, each given with its reactions, over all coordinates."""
+    for connection, reactions in carried:
+        if np.any(reactions):
+            yield square_entry(connection.bodies, connection_tangent(bodies, connection, reactions))

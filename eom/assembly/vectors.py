@@ -6,6 +6,7 @@ from numpy.typing import NDArray
 from eom.vehicle.elements import Vector
 
 Array = NDArray[np.float64]
+NO_DIRECTION, EVERY_DIRECTION = np.zeros((0, 3)), np.eye(3)
 
 
 def skew(a: Vector | Array) -> Array:
@@ -30,12 +31,12 @@ def directions(count: int, axis: Vector | Array) -> Array:
     One direction is the axis itself, two span the plane normal to it, three span space, none is none.
     """
     if count == 0:
-        return np.zeros((0, 3))
+        return NO_DIRECTION
     if count == 3:
-        return np.eye(3)
+        return EVERY_DIRECTION
     a = unit(axis)
     if count == 1:
         return a[np.newaxis]
-    helper = np.eye(3)[int(np.argmin(np.abs(a)))]
+    helper = EVERY_DIRECTION[int(np.argmin(np.abs(a)))]
     first = unit(helper - a * (a @ helper))
     return np.array([first, skew(a) @ first])

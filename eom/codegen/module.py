@@ -6,7 +6,6 @@ import keyword
 import re
 import sys
 import textwrap
-from collections.abc import Mapping
 from importlib.metadata import version
 from pathlib import Path
 from types import ModuleType
@@ -14,7 +13,23 @@ from typing import cast
 
 import jinja2
 
-from eom.assembly import checks, inertia, loads, matrices, reduction, statics, tangent, vectors
+from eom.assembly import (
+    algebra,
+    beam,
+    checks,
+    cyclic,
+    elastic,
+    inertia,
+    loads,
+    massless,
+    matrices,
+    reduction,
+    state_space,
+    statics,
+    tangent,
+    triangle,
+    vectors,
+)
 from eom.assembly import rows as jacobian
 from eom.codegen.source import literal, make_writer, parameter_text
 from eom.model.assembly import Assembly, assemble
@@ -25,9 +40,29 @@ from eom.vehicle.expression import names as parameter_names
 from eom.vehicle.load import Vehicle
 from eom.vehicle.registry import Live
 from eom.vehicle.units import DIMENSIONLESS, show_dimension
+from eom.vehicle.values import in_order
 
-KERNEL = (elements, vectors, jacobian, inertia, loads, tangent, statics, matrices, reduction, checks)
+KERNEL = (
+    elements,
+    vectors,
+    algebra,
+    jacobian,
+    inertia,
+    beam,
+    triangle,
+    elastic,
+    loads,
+    tangent,
+    reduction,
+    statics,
+    matrices,
+    massless,
+    cyclic,
+    state_space,
+    checks,
+)
 SECTIONS = ("bodies", "constraints", "rolling", "elastic", "slip", "loads", "inputs", "outputs")
+ADDITIONS = ("bushings", "beams", "triangles")
 
 
 def write_module(vehicle: Vehicle | Assembly, folder: str | Path) -> Path:
@@ -69,7 +104,8 @@ def module_text(vehicle: Vehicle | Assembly) -> str:
     )
     live = owner.draft.registry.parameters
     given = {key: item for key, item in live.items() if isinstance(item.default, Number)}
-    computed = {key: item for key, item in in_order(live).items() if key not in given}
+    order, _ = in_order({key: list(parameter_names(item.default)) for key, item in live.items()})
+    computed = {key: live[key] for key in order if key not in given}
     return environment.get_template("module.py.jinja").render(
         title=one_line(owner.name),
         source="\n".join(textwrap.wrap(one_line(f"Source: {owner.description.source or 'not given.'}"), 108)),
@@ -91,7 +127,10 @@ def module_text(vehicle: Vehicle | Assembly) -> str:
         speed="" if isinstance(speed, Number) else python_text(speed, parameter_text),
         variables=variables,
         gravity=writer.text(draft.gravity, 8, len("gravity=,")),
-        sections=[(key, [writer.text(item, 12, 1) for item in getattr(draft, key)]) for key in SECTIONS],
+        sections=[
+            (key, [writer.text(item, 12, 1) for item in getattr(draft, key)])
+            for key in (*SECTIONS, *(key for key in ADDITIONS if getattr(draft, key)))
+        ],
         signals=[
             (kind, [(literal(a), literal(b)) for a, b in zip(signals, units, strict=True)])
             for kind, signals, units in (
@@ -108,21 +147,6 @@ def module_text(vehicle: Vehicle | Assembly) -> str:
 def one_line(text: str) -> str:
     """Text of the file as it may stand in a docstring: one line, nothing that could end it."""
     return " ".join(text.split()).replace("\\", "/").replace('"""', "''").rstrip('"')
-
-
-def in_order(live: Mapping[str, Live]) -> dict[str, Live]:
-    """Parameters, each after those that it is computed from."""
-    result: dict[str, Live] = {}
-
-    def settle(name: str) -> None:
-        if name not in result:
-            for needed in parameter_names(live[name].default):
-                settle(needed)
-            result[name] = live[name]
-
-    for name in live:
-        settle(name)
-    return result
 
 
 def parameter_entry(name: str, item: Live, value: str) -> tuple[str, str, str, str]:

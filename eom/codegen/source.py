@@ -28,7 +28,7 @@ def literal(value: object) -> str:
 
 def constant_names(bodies: Sequence[str]) -> list[str]:
     """Names of the constants that hold the bodies' numbers; the prefix is no other constant's of a module."""
-    upper = [f"BODY_{body.upper()}" for body in bodies]
+    upper = [f"BODY_{body.upper().replace('.', '_')}" for body in bodies]
     return [name if upper.count(name) == 1 else f"{name}_{k}" for k, name in enumerate(upper)]
 
 
@@ -159,11 +159,12 @@ def named_places(draft: Draft) -> list[tuple[Vector, str]]:
         *draft.rolling,
         *(item.connection for item in draft.elastic),
         *(item.connection for item in draft.slip),
+        *(item.connection for item in draft.bushings),
     ]
-    named = [(body.centre, f"{body.name}_centre") for body in draft.bodies]
+    named = [(body.centre, f"{body.name.replace('.', '_')}_centre") for body in draft.bodies]
     for item in connections:
         name = item.name.replace(".", "_")
-        if item.line:
+        if item.places[0] != item.places[1]:
             named += [(item.places[0], f"{name}_start"), (item.places[1], f"{name}_end")]
         else:
             named.append((item.places[0], f"{name}_place"))

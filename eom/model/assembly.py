@@ -1,17 +1,18 @@
 """A vehicle's matrices with their labels, checked."""
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 
+from eom.assembly.algebra import DENSE, Algebra
 from eom.assembly.checks import check_system
 from eom.assembly.diagnosis import redundant_joints
-from eom.assembly.matrices import DISPLACEMENTS, VELOCITIES, Matrices, assemble_matrices
-from eom.assembly.pivots import choose_coordinates, with_cyclic
-from eom.assembly.reduction import Pivots, Reduction, massless_motion, reduce_coordinates
-from eom.assembly.rows import rows
+from eom.assembly.massless import FirstOrder, IndexAboveOneError, first_order, independent_equations
+from eom.assembly.matrices import DISPLACEMENTS, VELOCITIES, Matrices, assemble_matrices, joint_rows
+from eom.assembly.pivots import MANY_BODIES, choose_coordinates, with_cyclic, with_massless
+from eom.assembly.reduction import Pivots, Reduction
+from eom.assembly.rows import row_count
 from eom.assembly.statics import unbalanced
 from eom.assembly.vectors import Array
 from eom.errors import DescriptionError, EquilibriumError, SingularError
@@ -41,12 +42,15 @@ class Assembly:
     matrices : Matrices
         All of them, statics included; the most used are attributes here too.
     pivots : Pivots
-        Which coordinates are dependent, which change nothing.
+        Which coordinates are dependent, which have no mass, which change nothing.
+    form : FirstOrder
+        The first-order form of the equations.
     """
 
     vehicle: Vehicle
     matrices: Matrices
     pivots: Pivots
+    form: FirstOrder
 
     @property
     def system(self) -> System:
@@ -93,10 +97,10 @@ class Assembly:
         """Slip coefficients: force is minus Theta times slip velocity."""
         return self.matrices.Theta
 
-    @cached_property
+    @property
     def reduction(self) -> Reduction:
         """Displacements and velocities by independent ones."""
-        return reduce_coordinates(self.matrices, self.pivots)
+        return self.matrices.reduction
 
     @property
     def R(self) -> Array:
@@ -116,7 +120,7 @@ class Assembly:
     @property
     def descriptor(self) -> Descriptor:
         """E dz/dt = A z + B u + B_rate du/dt with z = (q, n): the projections of the full equations by L and R."""
-        N, zero = len(self.M), np.zeros_like(self.M)
+        N, zero = self.M.shape[0], np.zeros_like(self.M)
         E0: Array = np.block([[np.eye(N), zero], [zero, self.M]])
         A0: Array = -np.block([[self.V, -np.eye(N)], [self.K, self.C]])
         L, R = self.L, self.R
@@ -156,7 +160,7 @@ class Assembly:
         """One name per row: the connection's, numbered where it has several rows."""
         result: list[str] = []
         for item in connections:
-            count = len(rows(self.system.bodies, item))
+            count = row_count(item)
             result += [item.name] if count == 1 else [f"{item.name}[{k}]" for k in range(count)]
         return tuple(result)
 
@@ -171,30 +175,48 @@ def assemble(vehicle: Vehicle) -> Assembly:
     EquilibriumError
         If the loads at the trim do not balance; names body and component.
     SingularError
-        If a motion has no mass.
+        If nothing determines a motion.
     """
-    findings = check_system(vehicle.system)
+    system = vehicle.system
+    findings = check_system(system)
     if findings:
         raise DescriptionError([vehicle.mistake(name, what) for name, what in findings])
-    matrices = assemble_matrices(vehicle.system)
-    check_equilibrium(vehicle, matrices)
+    algebra = algebra_for(len(system.bodies))
     try:
-        pivots = choose_coordinates(vehicle.system, matrices)
-        massless = massless_motion(matrices, reduce_coordinates(matrices, pivots))
+        pivots = choose_coordinates(system, algebra)
+        matrices = assemble_matrices(system, pivots, algebra)
     except ValueError as error:
-        raise SingularError(f"{vehicle.file}: {nearly_redundant(vehicle, matrices) or error}") from None
-    if massless is not None:
-        body = vehicle.system.bodies[massless // 6].name
-        what = f"the motion {body}.{VELOCITIES[massless % 6]} has no mass: give the body mass or inertia"
-        raise SingularError(str(vehicle.mistake(body, what)))
-    return Assembly(vehicle, matrices, with_cyclic(vehicle.system, matrices, pivots))
+        raise SingularError(f"{vehicle.file}: {nearly_redundant(vehicle) or error}") from None
+    check_equilibrium(vehicle, matrices)
+    equations = independent_equations(matrices)
+    try:
+        pivots = with_massless(system, matrices, equations, pivots)
+        form = first_order(equations, pivots)
+    except IndexAboveOneError as error:
+        velocity = int(matrices.reduction.independent_velocities[error.velocity])
+        body = system.bodies[velocity // 6].name
+        what = (
+            f"nothing determines the motion {body}.{VELOCITIES[velocity % 6]}: give the body mass or "
+            "inertia, or hold it by a spring or damper of its own"
+        )
+        raise SingularError(str(vehicle.mistake(body, what))) from None
+    return Assembly(vehicle, matrices, with_cyclic(system, matrices.reduction, form, pivots), form)
 
 
-def nearly_redundant(vehicle: Vehicle, matrices: Matrices) -> str:
+def algebra_for(bodies: int) -> Algebra:
+    """Dense matrices for few bodies, sparse ones for many."""
+    if bodies <= MANY_BODIES:
+        return DENSE
+    from eom.assembly.sparse import SPARSE  # noqa: PLC0415  slow to import, for many bodies alone
+
+    return SPARSE
+
+
+def nearly_redundant(vehicle: Vehicle) -> str:
     """The sentence for joints that all but lock the same motion twice, empty if there are none."""
-    bodies, joints = vehicle.system.bodies, [item.connection for item in vehicle.system.constraints]
-    owners = [joint.name for joint in joints for _ in rows(bodies, joint)]
-    groups = redundant_joints(matrices.J, owners, NEARLY)
+    system = vehicle.system
+    owners = [item.connection.name for item in system.constraints for _ in range(row_count(item.connection))]
+    groups = redundant_joints(joint_rows(system)[0], owners, NEARLY)
     names = "; ".join(dict.fromkeys(" with ".join(group) for group in groups))
     return names and f"joints all but lock the same motion twice ({names}): let one carry less, or move them apart"
 

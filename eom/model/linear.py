@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from eom.assembly.reduction import RateError, cyclic_basis, state_space
+from eom.assembly.cyclic import cyclic_basis, state_coordinates
+from eom.assembly.state_space import RateError, state_space
 from eom.assembly.vectors import Array
 from eom.errors import OutputError, SingularError
 from eom.model.assembly import Assembly, assemble
@@ -105,7 +106,7 @@ def linearise(vehicle: Vehicle | Assembly) -> LinearModel:
     assembly = vehicle if isinstance(vehicle, Assembly) else assemble(vehicle)
     system = assembly.system
     try:
-        model = state_space(system, assembly.matrices, assembly.pivots)
+        model = state_space(system, assembly.matrices, assembly.pivots, assembly.form)
     except RateError as error:
         raise OutputError(str(assembly.vehicle.mistake(error.output, str(error)))) from None
     except ValueError as error:
@@ -127,16 +128,16 @@ def linearise(vehicle: Vehicle | Assembly) -> LinearModel:
 def state_names(assembly: Assembly) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """Names and units of the states (q, n)."""
     reduction, pivots = assembly.reduction, assembly.pivots
-    names = [assembly.coordinates[k] for k in reduction.independent]
+    at, velocities = state_coordinates(reduction, pivots)
+    names = [assembly.coordinates[k] for k in at]
     if pivots.cyclic:
         basis = cyclic_basis(assembly.system.bodies, reduction, pivots)
         for k in range(len(names)):
             moved = np.flatnonzero(np.abs(basis[k]) > 1e-9)
             if k not in pivots.cyclic and moved.size:
-                lead = assembly.coordinates[reduction.independent[pivots.cyclic[int(moved[0])]]]
+                lead = assembly.coordinates[at[pivots.cyclic[int(moved[0])]]]
                 names[k] += f"_from_{lead.rsplit('.', 1)[0]}"
-    names += [assembly.velocities[k] for k in reduction.independent_velocities]
-    kinds = [int(k) % 6 < 3 for k in (*reduction.independent, *reduction.independent_velocities)]
-    n_q = len(reduction.independent)
-    units = [("m" if linear else "rad") + ("" if k < n_q else "/s") for k, linear in enumerate(kinds)]
+    names += [assembly.velocities[k] for k in velocities]
+    kinds = [int(k) % 6 < 3 for k in (*at, *velocities)]
+    units = [("m" if linear else "rad") + ("" if k < len(at) else "/s") for k, linear in enumerate(kinds)]
     return tuple(names), tuple(units)

@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from eom.assembly.matrices import split
-from eom.assembly.rows import rows
+from eom.assembly.rows import row_count
 from eom.assembly.tangent import preload
 from eom.assembly.vectors import Array
 from eom.model.assembly import Assembly
@@ -39,7 +39,7 @@ def joint_loads(assembly: Assembly) -> dict[str, tuple[Array, Array]]:
     The second body gets the opposite.
     """
     joints = [item.connection for item in assembly.system.constraints]
-    counts = [len(rows(assembly.system.bodies, item)) for item in joints]
+    counts = [row_count(item) for item in joints]
     reactions = split(assembly.matrices.statics.reactions, counts)
     return {joint.name: preload(joint, own) for joint, own in zip(joints, reactions, strict=True)}
 

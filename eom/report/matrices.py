@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
+from eom.assembly.reduction import full
 from eom.model.assembly import Assembly
 from eom.model.linear import LinearModel
 
@@ -17,7 +18,8 @@ def labelled_matrices(assembly: Assembly, model: LinearModel) -> dict[str, np.nd
     """
     matrices = assembly.matrices._asdict()
     statics = matrices.pop("statics")
-    result = {name: np.asarray(value) for name, value in matrices.items()}
+    del matrices["reduction"]
+    result = {name: full(value) for name, value in matrices.items()}
     result |= {"R": assembly.R, "L": assembly.L}
     result |= {f"descriptor_{name}": value for name, value in assembly.descriptor._asdict().items()}
     result |= {"reactions": statics.reactions, "tensions": statics.tensions}

@@ -3,8 +3,6 @@
 import textwrap
 from collections.abc import Iterator
 
-import numpy as np
-
 from eom.assembly.diagnosis import redundant_joints
 from eom.assembly.vectors import Array
 from eom.model.assembly import Assembly
@@ -68,7 +66,7 @@ def trim(assembly: Assembly) -> Iterator[str]:
     how = "held" if held else "free" if speed else "at rest"
     yield f"trim speed          {speed:.6g} m/s ({speed * 3.6:.6g} km/h), {how}"
     worst = float(abs(statics.residual).max(initial=0.0))
-    stiff = bool(np.any(assembly.matrices.H_stiffness))
+    stiff = any(item.stiffness != (0.0, 0.0) for item in assembly.system.elastic)
     how = "statics alone" if statics.determinate else "statics and stiffness" if stiff else "smallest reactions"
     yield f"equilibrium         by {how}, largest remainder {worst:.1e} N or N m"
 

@@ -1,37 +1,28 @@
-"""Connectors between bodies: joints, springs, supports, tyres."""
+"""Connectors between bodies: joints, supports, tyres, and the union of all connectors."""
 
-from typing import Annotated, Literal, Self
+from typing import Annotated, Literal
 
-from pydantic import BeforeValidator, Field, field_validator, model_validator
+from pydantic import BeforeValidator, Field, field_validator
 
+from eom.vehicle.aerodynamics import Aero, ControlSurface, Wing
+from eom.vehicle.connector import LineConnector, PointConnector
 from eom.vehicle.parts import Flag, Identifier, Strict, not_a_flag
-from eom.vehicle.quantity import AngularDamping, AngularStiffness, Axis, Damping, Length, Place, Stiffness
+from eom.vehicle.quantity import Axis, Damping, Length, Place
+from eom.vehicle.springs import Bushing, FlexPoint, Spring, TorsionSpring
+from eom.vehicle.structures import Beam, Triangle
 
-# without the check true would count as 1
-Count = Annotated[Literal[0, 1, 2, 3], BeforeValidator(not_a_flag)]
-Pair = tuple[Identifier, Identifier]
 Carried = Literal["x", "y", "z", "roll", "pitch", "yaw"]
 
 
-class PointConnector(Strict):
-    """A place where two bodies meet; directions are fixed on the second one.
-
-    One force or moment acts along ``axis``, two act normal to it, three in all directions.
-    """
-
-    between: Pair
-    at: Place
-    forces: Count = 0
-    moments: Count = 0
-    axis: Axis | None = None
-    mirror: Flag = False
-
-
 class RigidPoint(PointConnector):
-    """A joint: locks its directions. A wheel that rolls on its contact point names its ``rolling_axis``."""
+    """A joint: locks its directions. A wheel that rolls on its contact point names its ``rolling_axis``.
+
+    A ``moving`` one locks them relative to the frame that moves with the trim: it holds a speed.
+    """
 
     type: Literal["rigid_point"]
     rolling_axis: Axis | None = None
+    moving: Flag = False
 
 
 class RollingPoint(PointConnector):
@@ -40,58 +31,16 @@ class RollingPoint(PointConnector):
     type: Literal["nh_point"]
 
 
-class FlexPoint(PointConnector):
-    """A bushing: stiffness and damping along its directions of force and of moment."""
-
-    type: Literal["flex_point"]
-    stiffness: Stiffness | None = None
-    damping: Damping | None = None
-    angular_stiffness: AngularStiffness | None = None
-    angular_damping: AngularDamping | None = None
-
-    @model_validator(mode="after")
-    def _acts_somewhere(self) -> Self:
-        for count, kind, values in (
-            (self.forces, "forces", ("stiffness", "damping")),
-            (self.moments, "moments", ("angular_stiffness", "angular_damping")),
-        ):
-            given = [name for name in values if getattr(self, name) is not None]
-            if given and not count:
-                message = f"has '{given[0]}' but no '{kind}' for it to act along"
-                raise ValueError(message)
-            if count and not given:
-                message = f"has '{kind}' but neither '{values[0]}' nor '{values[1]}'"
-                raise ValueError(message)
-        return self
-
-
-class LineConnector(Strict):
-    """A line from a place on the first body to a place on the second one."""
-
-    between: Pair
-    ends: tuple[Place, Place]
-    mirror: Flag = False
-
-
 class Link(LineConnector):
     """A massless rigid rod."""
 
     type: Literal["link"]
 
 
-class Spring(LineConnector):
-    """A spring and damper along their line."""
+class TorsionLink(LineConnector):
+    """A massless shaft: no relative rotation about the line between its ends."""
 
-    type: Literal["spring"]
-    stiffness: Stiffness | None = None
-    damping: Damping | None = None
-
-    @model_validator(mode="after")
-    def _acts(self) -> Self:
-        if self.stiffness is None and self.damping is None:
-            message = "needs 'stiffness', 'damping' or both"
-            raise ValueError(message)
-        return self
+    type: Literal["torsion_link"]
 
 
 class Support(Strict):
@@ -138,6 +87,21 @@ class TyreConnector(Strict):
 
 
 Connector = Annotated[
-    RigidPoint | RollingPoint | FlexPoint | Link | Spring | Support | SlipDamper | TyreConnector,
+    RigidPoint
+    | RollingPoint
+    | FlexPoint
+    | Link
+    | TorsionLink
+    | Spring
+    | TorsionSpring
+    | Bushing
+    | Beam
+    | Triangle
+    | Support
+    | SlipDamper
+    | TyreConnector
+    | Aero
+    | Wing
+    | ControlSurface,
     Field(discriminator="type"),
 ]

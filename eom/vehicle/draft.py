@@ -5,7 +5,9 @@ from typing import cast
 
 from eom.vehicle.elements import (
     GROUND,
+    Beam,
     Body,
+    Bushing,
     Connection,
     Constraint,
     Elastic,
@@ -14,6 +16,7 @@ from eom.vehicle.elements import (
     Output,
     Slip,
     System,
+    Triangle,
     Vector,
 )
 from eom.vehicle.expression import Expression, Number
@@ -71,6 +74,9 @@ class Draft:
     loads: list[Load] = field(default_factory=list)
     inputs: list[Input] = field(default_factory=list)
     outputs: list[Output] = field(default_factory=list)
+    bushings: list[Bushing] = field(default_factory=list)
+    beams: list[Beam] = field(default_factory=list)
+    triangles: list[Triangle] = field(default_factory=list)
     gravity: Vector = ORIGIN
     names: dict[str, Path] = field(default_factory=dict)
     index: dict[str, int] = field(default_factory=lambda: {"ground": GROUND})
@@ -93,6 +99,9 @@ class Draft:
             tuple(self.loads),
             tuple(self.inputs),
             tuple(self.outputs),
+            tuple(self.bushings),
+            tuple(self.beams),
+            tuple(self.triangles),
         )
 
     def claim(self, name: str, path: Path) -> None:

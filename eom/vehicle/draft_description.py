@@ -4,10 +4,11 @@ from typing import Any
 
 from eom.vehicle.description import Description
 from eom.vehicle.draft import ORIGIN, ZERO, Draft, Site, X
-from eom.vehicle.draft_connectors import draft_connector, tyre_numbers
+from eom.vehicle.draft_connectors import draft_connector
 from eom.vehicle.draft_parts import declare_parameters, draft_body, draft_load
 from eom.vehicle.draft_signals import draft_actuator, draft_sensor
 from eom.vehicle.draft_train import draft_train
+from eom.vehicle.draft_tyres import tyre_numbers
 from eom.vehicle.elements import GROUND, Constraint
 from eom.vehicle.mirror import with_mirror_images
 from eom.vehicle.registry import Registry

@@ -19,9 +19,10 @@ from eom.vehicle.draft import (
     carried_directions,
     subtract,
 )
-from eom.vehicle.draft_connectors import draft_connector, draft_support, draft_tyre, find_tyre
+from eom.vehicle.draft_connectors import draft_connector, draft_support
 from eom.vehicle.draft_parts import draft_body
 from eom.vehicle.draft_signals import along, draft_train_outputs
+from eom.vehicle.draft_tyres import draft_tyre, find_tyre
 from eom.vehicle.elements import GROUND, Connection, Constraint, Elastic, Input, Vector
 from eom.vehicle.expression import Expression, Name
 from eom.vehicle.mirror import with_mirror_images
@@ -225,7 +226,10 @@ def draft_axle(
     tyre_name = getattr(scope.get(axle.tyre), "name", axle.tyre)
     tyre = find_tyre(draft, description.tyres, tyre_name, (*path, "tyre"))
     if tyre is not None and body != GROUND:
-        draft_tyre(draft, name, (body, tyre_name, tyre), contact, 2, axle.steered)
+        if group.support is not None and tyre.vertical_stiffness is not None:
+            what = f"the tyre '{tyre_name}' carries vertically, and so does the 'support' of its group: keep one"
+            registry.report((*path, "tyre"), what)
+        draft_tyre(draft, name, (body, tyre_name, tyre), contact, 2, path, steered=axle.steered)
         height = next(
             (
                 roll_axis_height(draft, unit_draft, item_key, item)

@@ -82,21 +82,70 @@ class Constraint(NamedTuple):
 
 
 class Elastic(NamedTuple):
-    """A spring and damper along each direction: (force, moment) stiffness [N/m, N m/rad] and damping.
+    """A spring, damper and inerter along each direction: (force, moment) stiffness, damping, inertance.
 
-    Dampers act on the rate of displacement, not on body-axis velocity.
+    They act on displacement [N/m, N m/rad], on its rate (not on body-axis velocity) and on its second rate
+    [kg, kg m^2]. ``preload`` is the given tension of a single direction [N, N m]; without it statics finds it.
     """
 
     connection: Connection
     stiffness: tuple[float, float]
     damping: tuple[float, float]
+    inertance: tuple[float, float] = (0.0, 0.0)
+    preload: float | None = None
+
+
+class Bushing(NamedTuple):
+    """An elastic connection in all six directions with full matrices, (6, 6): three forces, then three moments.
+
+    Rows and columns refer to two stated perpendicular axes, fixed on the second body, and the third that makes
+    them right-handed.
+    """
+
+    connection: Connection
+    axes: tuple[Vector, Vector]
+    stiffness: tuple[tuple[float, ...], ...]
+    damping: tuple[tuple[float, ...], ...]
+
+
+class Beam(NamedTuple):
+    """A slender prismatic beam in bending: EI in its two planes [N m^2] and mass per length [kg/m].
+
+    ``normal`` points, across the line of ``places``, along the first plane's deflection. Stretch and twist are free.
+    """
+
+    name: str
+    bodies: tuple[int, int]
+    places: tuple[Vector, Vector]
+    bending: tuple[float, float]
+    normal: Vector
+    mass_per_length: float = 0.0
+
+
+class Triangle(NamedTuple):
+    """A plane-stress membrane between three bodies, of a thickness [m], Young's modulus [Pa] and Poisson's ratio.
+
+    With ``drilling`` the bodies' rotations about its normal bend its edges; without, its strain is constant.
+    """
+
+    name: str
+    bodies: tuple[int, int, int]
+    places: tuple[Vector, Vector, Vector]
+    thickness: float
+    modulus: float
+    poisson: float
+    drilling: bool = False
 
 
 class Slip(NamedTuple):
-    """A force that opposes sliding velocity in body axes: minus ``coefficients`` (square) times slip velocity."""
+    """A force that opposes sliding velocity in body axes: minus ``coefficients`` (square) times slip velocity.
+
+    ``added_mass`` (square, or empty) times the slip velocity's rate is the force of fluid that is carried along.
+    """
 
     connection: Connection
     coefficients: tuple[tuple[float, ...], ...]
+    added_mass: tuple[tuple[float, ...], ...] = ()
 
 
 class Load(NamedTuple):
@@ -147,3 +196,6 @@ class System(NamedTuple):
     loads: tuple[Load, ...]
     inputs: tuple[Input, ...]
     outputs: tuple[Output, ...]
+    bushings: tuple[Bushing, ...] = ()
+    beams: tuple[Beam, ...] = ()
+    triangles: tuple[Triangle, ...] = ()

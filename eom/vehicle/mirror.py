@@ -7,16 +7,18 @@ Actuators and sensors are mirrored in place and keep their direction, so that +y
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from typing import Any, TypeVar
+from typing import Any, TypeVar, cast
 
+from eom.vehicle.aerodynamics import SurfaceDerivatives
 from eom.vehicle.parts import InertiaProducts, InertiaTensor, Strict
 from eom.vehicle.quantity import Quantity
+from eom.vehicle.springs import Matrix6
 
 Part = TypeVar("Part", bound=Strict)
 Vector3 = tuple[Quantity, Quantity, Quantity]
 
 SIDE = re.compile(r"(?<![A-Za-z])(?:left|right)(?![A-Za-z])")
-POLAR = ("at", "axis", "rolling_axis", "force", "velocity")
+POLAR = ("at", "axis", "rolling_axis", "force", "velocity", "normal")
 AXIAL = ("moment", "spin")
 NAMES = ("body", "frame", "reaction_on", "relative_to")
 
@@ -51,6 +53,27 @@ def reflect_inertia(inertia: InertiaProducts | InertiaTensor) -> InertiaProducts
     return inertia.model_copy(update={name: value and negative(value) for name, value in products.items()})
 
 
+# which forces and moments change sign; a bushing's third axis is made from the reflected two, which turns it round
+MATRIX_SIGNS = {"Bushing": (1, 1, -1, -1, -1, 1), "Aero": (1, -1, 1, -1, 1, -1)}
+
+
+def reflect_matrix(matrix: Matrix6, signs: tuple[int, ...]) -> Matrix6:
+    """Reflection of a matrix of forces and moments by motions."""
+    rows: Any = tuple(
+        tuple(negative(value) if signs[r] * signs[c] < 0 else value for c, value in enumerate(row))
+        for r, row in enumerate(matrix)
+    )
+    return cast("Matrix6", rows)
+
+
+def reflect_derivatives(derivatives: Strict) -> Strict:
+    """Reflection of a control surface's derivatives; a wing's couple no motion in the plane with one out of it."""
+    if not isinstance(derivatives, SurfaceDerivatives):
+        return derivatives
+    changed = {key: value and negative(value) for key in ("y", "l", "n") if (value := getattr(derivatives, key))}
+    return derivatives.model_copy(update=changed)
+
+
 def reflect(part: Part) -> Part:
     """The part's mirror image, with left and right exchanged in the names of the bodies it refers to."""
     update: dict[str, Any] = {}
@@ -59,10 +82,18 @@ def reflect(part: Part) -> Part:
         (AXIAL, axial),
         (NAMES, other_side),
         (("between",), lambda names: tuple(map(other_side, names))),
-        (("ends",), lambda ends: tuple(map(polar, ends))),
+        (("ends", "corners", "axes"), lambda places: tuple(map(polar, places))),
         (("inertia",), reflect_inertia),
+        (("derivatives",), reflect_derivatives),
         (("feedthrough",), lambda gains: {other_side(name): gain for name, gain in gains.items()}),
     )
+    signs = MATRIX_SIGNS.get(type(part).__name__)
+    if signs is not None:
+        update |= {
+            field: reflect_matrix(value, signs)
+            for field in ("stiffness", "damping", "added_mass")
+            if (value := getattr(part, field, None)) is not None
+        }
     for fields, change in changes:
         for field in fields:
             value = getattr(part, field, None)

@@ -9,6 +9,7 @@ from eom.vehicle.quantity import (
     Any_,
     Axis,
     CorneringStiffness,
+    Damping,
     Force,
     Inertia,
     Length,
@@ -16,11 +17,12 @@ from eom.vehicle.quantity import (
     Moment,
     Place,
     Speed,
+    Stiffness,
     describe,
 )
 
 Identifier = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]*$", max_length=60)]
-MAX_PARTS = 200
+MAX_PARTS = 3000
 Flag = Annotated[bool, Field(strict=True)]
 
 
@@ -171,8 +173,16 @@ class Sensor(Signal):
 
 
 class Tyre(Strict):
-    """A linear tyre: cornering stiffness of each wheel, or of the axle's two wheels together."""
+    """A linear tyre: stiffness of each wheel, or of the axle's two wheels together.
+
+    ``longitudinal`` is its force per unit of longitudinal slip; ``relaxation`` the length over which its side force
+    builds up.
+    """
 
     per: Literal["wheel", "axle"]
     cornering: CorneringStiffness
     trail: Length | None = None
+    relaxation: Length | None = None
+    longitudinal: Force | None = None
+    vertical_stiffness: Stiffness | None = None
+    vertical_damping: Damping | None = None

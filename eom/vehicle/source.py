@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 Path = tuple[str | int, ...]
 Data = dict[str, "Data"] | list["Data"] | str | float | bool | None
 
-MAX_BYTES, MAX_DEPTH, MAX_VALUES, MAX_KEY = 1_000_000, 30, 10_000, 60
+MAX_BYTES, MAX_DEPTH, MAX_VALUES, MAX_KEY = 1_000_000, 30, 60_000, 60
 NUMBER = re.compile(r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?", re.ASCII)
 LEADING_ZERO = re.compile(r"[-+]?0\d")
 EMPTY = {"", "~", "null", "Null", "NULL"}
@@ -97,6 +97,8 @@ def place_of(mark: "yaml.Mark | CMark | None") -> tuple[int, int]:
 def yaml_problem(error: yaml.MarkedYAMLError, text: str) -> str:
     """The sentence for text that YAML cannot read, with the place where the broken part began."""
     line, column = place_of(error.problem_mark)
+    if "nesting depth" in str(error.problem):
+        return f"nested more than {MAX_DEPTH} deep"
     if "\t" in "".join(text.splitlines()[line - 1 : line])[:column]:
         return "not readable as YAML: indent with spaces, not with tabs"
     began = place_of(error.context_mark)

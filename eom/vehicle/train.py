@@ -5,9 +5,11 @@ from typing import Literal, Self
 from pydantic import Field, model_validator
 
 from eom.vehicle.connectors import Carried, Connector
-from eom.vehicle.parts import MAX_PARTS, Body, Flag, Identifier, Strict
+from eom.vehicle.parts import Body, Flag, Identifier, Strict
 from eom.vehicle.quantity import AngularDamping, AngularStiffness, Any_, Length, Place, Quantity
 
+# a unit's mass and centre are sums over its bodies, which a deep expression would make slow
+MAX_UNIT_PARTS = 200
 CARRIED_BY_KIND: dict[str, tuple[Carried, ...]] = {
     "fifth_wheel": ("x", "y", "z", "roll"),
     "pintle": ("x", "y", "z"),
@@ -57,11 +59,11 @@ class Axle(Strict):
 class Unit(Strict):
     """A vehicle unit in its own frame: x forward, y left, z up from the ground."""
 
-    bodies: dict[Identifier, Body] = Field(max_length=MAX_PARTS)
-    suspensions: dict[Identifier, Suspension] = Field(default_factory=dict, max_length=MAX_PARTS)
-    axle_groups: dict[Identifier, AxleGroup] = Field(default_factory=dict, max_length=MAX_PARTS)
-    axles: dict[Identifier, Axle] = Field(default_factory=dict, max_length=MAX_PARTS)
-    connectors: dict[Identifier, Connector] = Field(default_factory=dict, max_length=MAX_PARTS)
+    bodies: dict[Identifier, Body] = Field(max_length=MAX_UNIT_PARTS)
+    suspensions: dict[Identifier, Suspension] = Field(default_factory=dict, max_length=MAX_UNIT_PARTS)
+    axle_groups: dict[Identifier, AxleGroup] = Field(default_factory=dict, max_length=MAX_UNIT_PARTS)
+    axles: dict[Identifier, Axle] = Field(default_factory=dict, max_length=MAX_UNIT_PARTS)
+    connectors: dict[Identifier, Connector] = Field(default_factory=dict, max_length=MAX_UNIT_PARTS)
 
 
 class Template(Unit):

@@ -51,15 +51,13 @@ def validate(source: Source) -> tuple[Description | None, frozenset[str]]:
         except ValidationError as error:
             # the whole round first, as leaving out one part would hide the others' places
             found = [(file_path(item["loc"], data, item["type"]), item) for item in error.errors(include_url=False)]
-            meant = {
-                (*path[:-1], meant_key(str(path[-1]))) for path, item in found if item["type"] == "extra_forbidden"
-            }
+            meant = {(*path[:-1], meant_at(data, path)) for path, item in found if item["type"] == "extra_forbidden"}
             for path, item in found:
                 if item["type"] == "missing" and path in meant:
                     continue
                 if not is_consequence(path, item, emptied):
                     about_key = item["type"] == "extra_forbidden" or item["loc"][-1] == "[key]"
-                    (source.report_key if about_key else source.report)(*sentence(path, item))
+                    (source.report_key if about_key else source.report)(*sentence(data, path, item))
             for path, item in found:
                 emptied.add(leave_out(data, path, item["type"], broken))
     return None, frozenset(broken)
@@ -103,14 +101,14 @@ def contains(here: object, step: str | int) -> bool:
 ALTERNATIVES = frozenset({"[key]", "unit", "use", "down", "vector", "products", "tensor", "described", "plain"})
 
 
-def sentence(path: Path, item: ErrorDetails) -> tuple[Path, str]:
+def sentence(data: dict[str, Any], path: Path, item: ErrorDetails) -> tuple[Path, str]:
     """Where a schema error is reported, and the sentence that says it."""
     kind, last = item["type"], path[-1] if path else ""
     if kind == "missing":
         count = len(item.get("input") or ())
         return path[:-1], f"has too few entries ({count})" if isinstance(last, int) else f"needs '{last}'"
     if kind == "extra_forbidden":
-        return path, f"unknown key '{last}'{suggest(meant_key(str(last)))}"
+        return path, f"unknown key '{last}'{suggest(meant_at(data, path))}"
     say = SENTENCES.get(kind)
     came = describe(item.get("input"))
     return path, say(item.get("ctx", {}), came) if say else f"{item['msg'][0].lower()}{item['msg'][1:]}, got {came}"
@@ -151,22 +149,38 @@ SENTENCES: dict[str, Callable[[dict[str, Any], str], str]] = {
 
 
 @cache
-def vocabulary() -> frozenset[str]:
-    """Every key of the schema."""
-    keys: set[str] = set()
+def vocabulary() -> tuple[frozenset[str], ...]:
+    """The keys of every part of the schema."""
+    keys: list[frozenset[str]] = []
     pending: list[type[BaseModel]] = [BaseModel]
     while pending:
         for model in pending.pop().__subclasses__():
             if model.__module__.startswith("eom."):
-                keys.update(field.alias or name for name, field in model.model_fields.items())
+                keys.append(frozenset(field.alias or name for name, field in model.model_fields.items()))
             pending.append(model)
-    return frozenset(keys)
+    return tuple(dict.fromkeys(keys))
+
+
+@cache
+def every_key() -> frozenset[str]:
+    """Every key of the schema."""
+    return frozenset().union(*vocabulary())
+
+
+def meant_at(data: object, path: Path) -> str:
+    """The key that an unknown one was probably meant to be, judged by the keys beside it; empty if none is close."""
+    here: Any = data
+    for step in path[:-1]:
+        here = here[step] if contains(here, step) else {}
+    beside = every_key().intersection(here if isinstance(here, dict) else ())
+    return meant_key(str(path[-1]), beside)
 
 
 @lru_cache(maxsize=MAX_VALUES)
-def meant_key(name: str) -> str:
-    """The key of the schema that was probably meant, empty if none is close."""
-    return closest(name, vocabulary())
+def meant_key(name: str, beside: frozenset[str]) -> str:
+    """The closest key of the parts that share most keys with those *beside* it, empty if none is close."""
+    shared = max(len(keys & beside) for keys in vocabulary())
+    return closest(name, frozenset().union(*(keys for keys in vocabulary() if len(keys & beside) == shared)))
 
 
 def leave_out(data: dict[str, Any], path: Path, kind: str, broken: set[str]) -> Path:
@@ -185,7 +199,7 @@ def leave_out(data: dict[str, Any], path: Path, kind: str, broken: set[str]) -> 
             broken.update({name, other_side(name)})
         elif depth == 1:
             # a whole section under a mistyped key
-            broken.add(meant_key(str(path[0])))
+            broken.add(meant_at(data, path))
     return path[: depth - 1]
 
 

@@ -1,6 +1,6 @@
 """Values for a draft's parameters: overrides, order of computation, bounds, and the system with numbers."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any, cast
 
@@ -61,31 +61,48 @@ def check_same(wanted: Dimension | None, given: Dimension | None, value: object)
 def parameter_values(registry: Registry, source: Source) -> dict[str, float]:
     """Values of all parameters, each after those that it is computed from; cycles and bounds are reported."""
     values: dict[str, float] = {}
-    state: dict[str, str] = {}
-
-    def settle(name: str, trail: tuple[str, ...]) -> None:
+    needed = {
+        name: [part for part in names(live.default) if part in registry.parameters]
+        for name, live in registry.parameters.items()
+    }
+    order, rings = in_order(needed)
+    for ring in rings:
+        blame(source, ring[0], registry.parameters[ring[0]], f"is computed from itself: {show_ring(ring)}")
+    for name in order:
         live = registry.parameters[name]
-        if state.get(name) == "open":
-            blame(source, name, live, f"is computed from itself: {show_ring([*trail[trail.index(name) :], name])}")
-            return
-        if name in state:
-            return
-        state[name] = "open"
-        for needed in names(live.default):
-            if needed in registry.parameters:
-                settle(needed, (*trail, name))
-        state[name] = "done"
-        if all(needed in values for needed in names(live.default)):
+        if all(part in values for part in names(live.default)):
             try:
                 values[name] = evaluate(live.default, values)
             except ValueError as error:
                 blame(source, name, live, str(error))
-
-    for name in registry.parameters:
-        settle(name, ())
     for name, live in registry.parameters.items():
         check_bounds(name, live, values, source)
     return values
+
+
+def in_order(needed: Mapping[str, Sequence[str]]) -> tuple[list[str], list[list[str]]]:
+    """All names, each after those that it needs, and the rings of names that need each other.
+
+    Written without recursion, whose depth a file could exhaust.
+    """
+    order: list[str] = []
+    rings: list[list[str]] = []
+    done: set[str] = set()
+    for root in needed:
+        trail = [root]
+        pending = [iter(needed[root])]
+        while trail and root not in done:
+            part = next(pending[-1], None)
+            if part is None:
+                pending.pop()
+                done.add(trail[-1])
+                order.append(trail.pop())
+            elif part in trail:
+                rings.append([*trail[trail.index(part) :], part])
+            elif part not in done:
+                trail.append(part)
+                pending.append(iter(needed[part]))
+    return order, rings
 
 
 def blame(source: Source, name: str, live: Live, what: str) -> None:

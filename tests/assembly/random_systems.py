@@ -8,7 +8,6 @@ from typing import NamedTuple
 import numpy as np
 from hypothesis import strategies as st
 
-from eom.assembly.matrices import assemble_matrices
 from eom.assembly.vectors import unit
 from eom.vehicle.elements import (
     GROUND,
@@ -23,7 +22,7 @@ from eom.vehicle.elements import (
     System,
     Vector,
 )
-from tests.assembly.systems import EMPTY, ZERO, Array, body, line, measure, point, push, tensor, turn, vector
+from tests.assembly.systems import EMPTY, ZERO, Array, assembled, body, line, measure, point, push, tensor, turn, vector
 
 JOINTS = {
     "ball": (3, 0),
@@ -236,7 +235,7 @@ def couple(index: int, centre: Vector, moment: Array) -> tuple[Load, ...]:
 
 def in_equilibrium(system: System) -> System:
     """The system with dead forces that balance what its connections cannot carry."""
-    residual = assemble_matrices(system).statics.residual.reshape(-1, 6)
+    residual = assembled(system).statics.residual.reshape(-1, 6)
     loads = list(system.loads)
     for k, (item, rest) in enumerate(zip(system.bodies, residual, strict=True)):
         loads.append(Load("balance", k, item.centre, vector(-rest[:3]), ZERO))

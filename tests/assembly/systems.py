@@ -7,9 +7,13 @@ import numpy as np
 from hypothesis import Phase
 from numpy.typing import NDArray
 
+from eom.assembly.algebra import dense
+from eom.assembly.massless import first_order, independent_equations
 from eom.assembly.matrices import Matrices, assemble_matrices
-from eom.assembly.pivots import choose_pivots
-from eom.assembly.reduction import Pivots, StateSpace, state_space
+from eom.assembly.pivots import choose_coordinates, with_cyclic, with_massless
+from eom.assembly.reduction import Pivots
+from eom.assembly.state_space import StateSpace, state_space
+from eom.assembly.tangent import tangent_entries
 from eom.vehicle.elements import (
     GROUND,
     Body,
@@ -43,11 +47,40 @@ class Linear(NamedTuple):
     model: StateSpace
 
 
+def assembled(system: System) -> Matrices:
+    """Matrices of a system, which need not be balanced."""
+    return assemble_matrices(system, choose_coordinates(system))
+
+
+def pivots_of(system: System) -> Pivots:
+    """All pivots of a system at its present numbers."""
+    matrices = assembled(system)
+    equations = independent_equations(matrices)
+    pivots = with_massless(system, matrices, equations, choose_coordinates(system))
+    return with_cyclic(system, matrices.reduction, first_order(equations, pivots), pivots)
+
+
+def state_space_of(system: System, matrices: Matrices, pivots: Pivots) -> StateSpace:
+    """State space of given matrices."""
+    return state_space(system, matrices, pivots, first_order(independent_equations(matrices), pivots))
+
+
+def model_with(system: System, pivots: Pivots) -> StateSpace:
+    """State space of a system by given pivots."""
+    return state_space_of(system, assemble_matrices(system, pivots), pivots)
+
+
 def linear(system: System) -> Linear:
     """Matrices, pivots and state space of a system."""
-    matrices = assemble_matrices(system)
-    pivots = choose_pivots(system, matrices)
-    return Linear(matrices, pivots, state_space(system, matrices, pivots))
+    pivots = pivots_of(system)
+    matrices = assemble_matrices(system, pivots)
+    return Linear(matrices, pivots, state_space_of(system, matrices, pivots))
+
+
+def tangent_stiffness(bodies: Sequence[Body], connections: Sequence[Connection], reactions: Sequence[Array]) -> Array:
+    """Tangent stiffness of connections with their reactions over all coordinates."""
+    size = 6 * len(bodies)
+    return dense((size, size), tangent_entries(bodies, list(zip(connections, reactions, strict=True))))
 
 
 def vector(values: Sequence[float] | Array) -> Vector:

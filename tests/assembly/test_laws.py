@@ -14,8 +14,6 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from eom.assembly.matrices import assemble_matrices
-from eom.assembly.reduction import reduce_coordinates
 from eom.assembly.rows import rows
 from eom.assembly.statics import unbalanced
 from eom.assembly.vectors import directions, unit
@@ -28,6 +26,7 @@ from tests.assembly.systems import (
     X,
     Y,
     Z,
+    assembled,
     body,
     characteristic,
     linear,
@@ -142,7 +141,7 @@ def test_law_4_a_common_speed_changes_nothing_that_neither_slides_nor_rolls(reci
 def reduced(system: System) -> tuple[Array, Array, Array]:
     """Mass, damping and stiffness of the independent coordinates of a system at rest."""
     found = linear(system)
-    r = reduce_coordinates(found.matrices, found.pivots)
+    r = found.matrices.reduction
     np.testing.assert_array_equal(r.Z, 0.0)
     M, C, K = (r.W.T @ matrix @ r.T for matrix in (found.matrices.M, found.matrices.C, found.matrices.K))
     return M, C, K
@@ -227,7 +226,7 @@ def test_law_5_what_an_element_does_to_one_body_it_does_reversed_to_the_other(re
 def test_the_random_systems_are_in_equilibrium(recipe: Recipe) -> None:
     """What the laws above are tried on; and that loads do reach the connections."""
     system = build(recipe)
-    statics = assemble_matrices(system).statics
+    statics = assembled(system).statics
     assert unbalanced(system.bodies, statics).size == 0
 
 
@@ -242,15 +241,15 @@ def test_law_7_assembling_twice_gives_the_same_bits_and_leaves_its_input_alone(r
     before = copy.deepcopy(system)
     first = linear(system)
     kept = copy.deepcopy(first)
-    for array in (*first.matrices[:-1], *first.model, first.matrices.statics.reactions):
+    for array in (*first.matrices[:-2], *first.model, first.matrices.statics.reactions, first.matrices.reduction.T):
         if array.size:
             array[...] = np.nan
     second = linear(system)
     assert system == before
     assert second.pivots == kept.pivots
     for now, then in zip(
-        (*second.matrices[:-1], *second.model, *second.matrices.statics),
-        (*kept.matrices[:-1], *kept.model, *kept.matrices.statics),
+        (*second.matrices[:-2], *second.model, *second.matrices.statics, *second.matrices.reduction[:-1]),
+        (*kept.matrices[:-2], *kept.model, *kept.matrices.statics, *kept.matrices.reduction[:-1]),
         strict=True,
     ):
         np.testing.assert_array_equal(now, then, strict=True)

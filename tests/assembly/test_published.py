@@ -16,11 +16,8 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from eom.assembly.matrices import assemble_matrices
-from eom.assembly.pivots import choose_pivots
-from eom.assembly.reduction import state_space
 from eom.vehicle.load import load
-from tests.assembly.systems import Complex, linear, transfer
+from tests.assembly.systems import Complex, linear, model_with, pivots_of, transfer
 
 VEHICLES = Path(__file__).parents[2] / "vehicles"
 GRAVITY = 9.81
@@ -135,10 +132,10 @@ def test_bicycle_answers_steer_and_lean_torque_as_published(s: complex) -> None:
 def test_bicycle_pivots_chosen_at_one_speed_serve_all_others() -> None:
     """The choice of coordinates is made once for a structure; a speed is but a number."""
     system = load(VEHICLES / "bicycle.yaml", U=5.0).system
-    pivots = choose_pivots(system, assemble_matrices(system))
+    pivots = pivots_of(system)
     for U in (0.01, 1.0, 10.0, 40.0):
         other = load(VEHICLES / "bicycle.yaml", U=U).system
-        A = state_space(other, assemble_matrices(other), pivots).A
+        A = model_with(other, pivots).A
         kept = np.setdiff1d(np.arange(len(A)), pivots.cyclic)
         assert_same_roots(np.linalg.eigvals(A[np.ix_(kept, kept)]).astype(np.complex128), benchmark_roots(U))
 
@@ -146,9 +143,9 @@ def test_bicycle_pivots_chosen_at_one_speed_serve_all_others() -> None:
 def test_bicycle_pivots_chosen_at_speed_serve_standstill() -> None:
     """Wheels that do not spin have no spin axis, and yet the coordinates that were chosen keep their meaning."""
     system = load(VEHICLES / "bicycle.yaml", U=5.0).system
-    pivots = choose_pivots(system, assemble_matrices(system))
+    pivots = pivots_of(system)
     still = load(VEHICLES / "bicycle.yaml", U=0.0).system
-    A = state_space(still, assemble_matrices(still), pivots).A
+    A = model_with(still, pivots).A
     kept = np.setdiff1d(np.arange(len(A)), pivots.cyclic)
     assert_same_roots(np.linalg.eigvals(A[np.ix_(kept, kept)]).astype(np.complex128), benchmark_roots(0.0))
 

@@ -9,9 +9,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from eom.assembly.matrices import assemble_matrices
-from eom.assembly.pivots import choose_pivots
-from eom.assembly.reduction import Pivots, complement, reduce_coordinates, state_space
+from eom.assembly.reduction import complement
 from eom.vehicle.elements import (
     GROUND,
     Connection,
@@ -30,16 +28,20 @@ from tests.assembly.systems import (
     X,
     Y,
     Z,
+    assembled,
     body,
     diagonal,
     eigenvalues,
     line,
     linear,
     measure,
+    model_with,
     nonzero,
+    pivots_of,
     point,
     push,
     spring,
+    state_space_of,
     transfer,
     turn,
 )
@@ -157,7 +159,7 @@ def roots(A: Array) -> Complex:
 def test_the_complement_annihilates_the_constraints_and_is_an_identity_on_what_stays_free() -> None:
     generator = np.random.default_rng(1)
     J = generator.normal(size=(3, 8))
-    independent, T = complement(J, (1, 4, 6))
+    independent, T, _ = complement(J, (1, 4, 6))
     assert independent.tolist() == [0, 2, 3, 5, 7]
     np.testing.assert_array_equal(T[independent], np.eye(5))
     np.testing.assert_allclose(J @ T, 0.0, atol=1e-13)
@@ -168,7 +170,7 @@ def test_displacements_and_velocities_of_the_states_satisfy_every_constraint(pin
     """J T = 0; and J dp/dt = J (w - V p) = 0 for w = W n + Z q, whatever n and q are."""
     system = system_of(Train(), pinned=pinned)
     found = linear(system)
-    m, r = found.matrices, reduce_coordinates(found.matrices, found.pivots)
+    m, r = found.matrices, found.matrices.reduction
     size = np.max(np.abs(m.V))
     np.testing.assert_allclose(m.J @ r.T, 0.0, atol=1e-12)
     np.testing.assert_allclose(m.J @ r.W, 0.0, atol=1e-12)
@@ -191,7 +193,7 @@ def rolling_disc(U: float = 2.0) -> System:
 def test_rolling_removes_velocities_and_leaves_displacements() -> None:
     """Jn w = 0 for all states, with one velocity less for each of its rows and no displacement less."""
     found = linear(rolling_disc())
-    m, r = found.matrices, reduce_coordinates(found.matrices, found.pivots)
+    m, r = found.matrices, found.matrices.reduction
     assert (len(r.independent), len(r.independent_velocities)) == (5, 3)
     np.testing.assert_allclose(m.Jn @ r.W, 0.0, atol=1e-13)
     np.testing.assert_allclose(m.Jn @ r.Z, 0.0, atol=1e-12)
@@ -216,9 +218,8 @@ def test_a_hitch_damper_on_body_axis_velocity_would_be_noticed() -> None:
     """The term that makes the difference, H' c H V in the stiffness, shifts the slowest pair by far more than 1e-9."""
     train = Train()
     system = system_of(train)
-    m = assemble_matrices(system)
-    pivots = choose_pivots(system, m)
-    wrong = state_space(system, m._replace(K=m.K - m.K_damper), pivots)
+    m, pivots = assembled(system), pivots_of(system)
+    wrong = state_space_of(system, m._replace(K=m.K - m.K_damper), pivots)
     distance = np.abs(roots(wrong.A)[:, np.newaxis] - roots(lagrange(train)[0]))
     assert np.max(np.min(distance, axis=1)) > 0.1
 
@@ -484,17 +485,12 @@ def rod(angle: float) -> System:
     )
 
 
-def pivots_of(system: System) -> Pivots:
-    """Pivots at the system's present numbers."""
-    return choose_pivots(system, assemble_matrices(system))
-
-
 def test_pivots_chosen_once_serve_other_numbers() -> None:
     """At any angle where they still determine what they should, the roots are those of freshly chosen ones."""
     chosen = pivots_of(rod(0.3))
     for angle in (0.0, 0.2, 0.9, 1.4):
         system = rod(angle)
-        kept = state_space(system, assemble_matrices(system), chosen)
+        kept = model_with(system, chosen)
         np.testing.assert_allclose(eigenvalues(kept), eigenvalues(linear(system).model), rtol=1e-9, atol=1e-9)
         # along the rod's normal (-sin, cos) the stiffness is 30 sin^2 + 70 cos^2
         stiffness = 30.0 * np.sin(angle) ** 2 + 70.0 * np.cos(angle) ** 2
@@ -505,7 +501,7 @@ def test_pivots_that_have_become_singular_are_refused() -> None:
     """A rod along x determines x; upright it says nothing of x."""
     system = rod(np.pi / 2.0)
     with pytest.raises(ValueError, match="no longer determine the chosen dependent coordinates"):
-        state_space(system, assemble_matrices(system), pivots_of(rod(0.0)))
+        model_with(system, pivots_of(rod(0.0)))
 
 
 def test_a_motion_that_no_longer_changes_nothing_is_refused() -> None:
@@ -513,13 +509,13 @@ def test_a_motion_that_no_longer_changes_nothing_is_refused() -> None:
     system = system_of(Train())
     tied = system._replace(elastic=(*system.elastic, spring(point((0, GROUND), ZERO, forces=1, axis=Y), 1e4)))
     with pytest.raises(ValueError, match="no longer does"):
-        state_space(tied, assemble_matrices(tied), pivots_of(system))
+        model_with(tied, pivots_of(system))
 
 
 def test_pivots_keep_the_first_body_and_its_heading() -> None:
     """People steer by the truck: its sideways position, heading and their rates are states."""
     found = linear(system_of(Train(), pinned=True))
-    reduction = reduce_coordinates(found.matrices, found.pivots)
+    reduction = found.matrices.reduction
     assert {1, 5} <= set(reduction.independent.tolist())
     assert reduction.independent.tolist() == reduction.independent_velocities.tolist()
     assert len(reduction.independent) == 3

@@ -19,12 +19,12 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from eom.assembly.loads import load_resultants, load_stiffness
+from eom.assembly.algebra import dense
+from eom.assembly.loads import load_stiffness, load_sums
 from eom.assembly.rows import rows
-from eom.assembly.tangent import tangent_stiffness
 from eom.assembly.vectors import skew, unit
 from eom.vehicle.elements import GROUND, Connection, Load
-from tests.assembly.systems import PHASES, Array, X, Y, Z, body, vector
+from tests.assembly.systems import PHASES, Array, X, Y, Z, body, tangent_stiffness, vector
 
 TOLERANCE, NESTED_TOLERANCE = 1e-8, 1e-7
 STEP, NESTED_STEP = 5e-4, 4e-3
@@ -371,8 +371,8 @@ def test_a_load_keeps_its_direction_in_the_body_that_it_turns_with(
         force, moment = R.T @ carrier @ np.array(f), R.T @ carrier @ np.array(m)
         return np.concatenate([force, np.cross(arm, force) + moment, np.zeros(6)])
 
-    np.testing.assert_allclose(load_resultants(bodies, [load])[0], law(np.zeros(12)), rtol=0.0, atol=1e-13)
-    found = load_stiffness(bodies, [load])
+    np.testing.assert_allclose(load_sums(bodies, [load])[0], law(np.zeros(12)), rtol=0.0, atol=1e-13)
+    found = dense((12, 12), load_stiffness(bodies, [load]))
     np.testing.assert_allclose(found, -derivative(law), rtol=0.0, atol=TOLERANCE)
     if kind == "follower":
         np.testing.assert_array_equal(found, 0.0)

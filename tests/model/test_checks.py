@@ -98,8 +98,10 @@ def test_a_tyre_carries_no_dead_load() -> None:
 
 
 def test_a_motion_without_mass_is_named() -> None:
-    message = refusal("inertia: {xx: 500, yy: 2000, zz: 2200}", "velocity: [20, 0, 0]", eom.SingularError)
-    assert "the motion frame.yaw_rate has no mass" in message
+    loose = CAR + "  hook: {type: rigid_point, between: [ring, frame], at: [-2, 0, 0.5], forces: 3}\n"
+    loose = loose.replace("bodies:\n", "bodies:\n  ring: {mass: 0, at: [-3, 0, 0.5]}\n")
+    with pytest.raises(eom.SingularError, match=r"car.yaml:\d+:3: bodies.ring: nothing determines the motion ring\."):
+        eom.assemble(eom.loads(loose, "car.yaml"))
 
 
 def test_redundant_joints_are_named() -> None:

@@ -5,10 +5,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import eom
-from eom.assembly.matrices import assemble_matrices
-from eom.assembly.pivots import choose_pivots
-from eom.assembly.reduction import state_space
-from tests.assembly.systems import moved
+from tests.assembly.systems import linear, moved
 from tests.vehicles.shipped import NAMES, TRAINS, vehicle
 
 
@@ -69,7 +66,7 @@ def test_the_descriptor_form_has_the_state_spaces_roots(name: str) -> None:
     assert abs(sign_1 - sign_2) < 1e-8
 
 
-@pytest.mark.parametrize("name", ["quarter_car", "b_train_yaw_roll"])
+@pytest.mark.parametrize("name", ["quarter_car", "b_train_yaw_roll", "full_car", "four_bar", "a_train"])
 def test_without_dampers_and_tyres_energy_is_kept(name: str) -> None:
     system = vehicle(name).system
     conservative = system._replace(
@@ -79,8 +76,7 @@ def test_without_dampers_and_tyres_energy_is_kept(name: str) -> None:
         outputs=(),
         inputs=(),
     )
-    matrices = assemble_matrices(conservative)
-    model = state_space(conservative, matrices, choose_pivots(conservative, matrices))
+    model = linear(conservative).model
     roots = np.linalg.eigvals(model.A)
     # double zero roots of free motions split by the square root of rounding
     assert np.max(np.abs(roots.real)) < 1e-6 * np.max(np.abs(roots))
@@ -93,8 +89,7 @@ def test_turning_the_drawing_with_everything_on_it_changes_no_root_and_no_transf
     turned = moved(system, rotation, np.array([3.0, -2.0, 5.0]))
     responses = []
     for item in (system, turned):
-        matrices = assemble_matrices(item)
-        A, B, C, D = state_space(item, matrices, choose_pivots(item, matrices))
+        A, B, C, D = linear(item).model
         s = 2j * np.pi * 0.4
         responses.append(C @ np.linalg.solve(s * np.eye(len(A)) - A, B) + D)
     scale = np.max(np.abs(responses[0]), axis=1, keepdims=True)

@@ -1,0 +1,97 @@
+"""The minimal state space, with accelerations that include the constraint reactions."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from eom.assembly.algebra import row_entry
+from eom.assembly.cyclic import count_from_cyclic
+from eom.assembly.massless import FirstOrder, rate_of
+from eom.assembly.matrices import Matrices
+from eom.assembly.reduction import ROUNDING, Pivots
+from eom.assembly.rows import local_rows
+from eom.assembly.vectors import Array
+from eom.vehicle.elements import Output, System
+
+
+class RateError(ValueError):
+    """An output that would need the rate of an input."""
+
+    def __init__(self, output: str, name: str) -> None:
+        self.output = output
+        what = "measure a body that the moving damper does not act on"
+        super().__init__(f"output {output} would follow the rate of input {name}: {what}")
+
+
+class StateSpace(NamedTuple):
+    """dx/dt = A x + B u, y = C x + D u, with x = (q, n)."""
+
+    A: Array
+    B: Array
+    C: Array
+    D: Array
+
+
+def output_row(system: System, output: Output) -> Array:
+    """Row of an output on the motion of all bodies, shape (6 n,)."""
+    row = np.zeros(6 * len(system.bodies))
+    for weight, connection in output.terms:
+        _, where, values = row_entry(0, connection.bodies, local_rows(system.bodies, connection))
+        row[where] += weight * values[0]
+    return row
+
+
+def output_signals(system: System, matrices: Matrices, form: FirstOrder) -> Array:
+    """The outputs as signals of the states, the inputs and their rates (see `eom.assembly.massless`).
+
+    Raises `RateError` for one that would follow an input's rate.
+    """
+    rates, q, n = form
+    T, W, Z = matrices.reduction.T, matrices.reduction.W, matrices.reduction.Z
+    states, n_u = len(rates), len(system.inputs)
+    names = [item.name for item in system.inputs]
+    result = np.zeros((len(system.outputs), rates.shape[1]))
+    for k, output in enumerate(system.outputs):
+        row = output_row(system, output)
+        size = (np.abs(row) @ np.abs(W)) @ np.abs(n) + (np.abs(row) @ np.abs(Z)) @ np.abs(q)
+        if output.quantity == "position":
+            signal = (row @ T) @ q
+        else:
+            # inertial: dp/dt = w - V p
+            turning = row @ matrices.V @ T if output.frame == "inertial" else 0.0
+            signal = (row @ W) @ n + (row @ Z - turning) @ q
+            refuse_rates(output, names, signal, size)
+        if output.quantity == "acceleration":
+            signal = rate_of(signal[np.newaxis], rates, n_u)[0]
+            size = np.abs(size[:states]) @ np.abs(rates) + np.concatenate(
+                [np.zeros(states + n_u), size[states : states + n_u]]
+            )
+            refuse_rates(output, names, signal, size)
+        result[k] = signal
+        for name, gain in output.feedthrough:
+            result[k, states + names.index(name)] += gain
+    return result
+
+
+def refuse_rates(output: Output, names: list[str], signal: Array, size: Array) -> None:
+    """Raise `RateError` if the signal holds an input's rate; *size* is what its columns are sums of."""
+    first = len(signal) - len(names)
+    needed = np.abs(signal[first:]) > ROUNDING * size[first:]
+    if np.any(needed):
+        raise RateError(output.name, names[int(np.argmax(needed))])
+
+
+def state_space(system: System, matrices: Matrices, pivots: Pivots, form: FirstOrder) -> StateSpace:
+    """Minimal state space about the trim, from the first-order form of the same matrices and pivots.
+
+    Where an input acts through its rate (a damper moved at its far end), the states are counted less the jump
+    that the input gives them, so that only u itself remains. Raises `RateError` for an output that would still need
+    the rate of an input, ``ValueError`` where the pivots do not fit.
+    """
+    n_u = len(system.inputs)
+    rates = form.rates
+    states = len(rates)
+    A, B, jump = np.split(rates, [states, states + n_u], axis=1)
+    C, D, _ = np.split(output_signals(system, matrices, form), [states, states + n_u], axis=1)
+    B, D = B + A @ jump, D + C @ jump
+    return StateSpace(*count_from_cyclic(A, B, C, system.bodies, matrices.reduction, pivots), D)
