@@ -31,27 +31,31 @@ class Lock(NamedTuple):
 
 
 def redundant_locks(system: System, null: Array) -> list[tuple[Lock, ...]]:
-    """For each column of *null* the motions, joint by joint, of which the others imply any one.
+    """For each dimension of redundancy the motions, joint by joint, of which the others imply any one.
 
-    Columns are left null vectors of J, such as `eom.assembly.statics.self_stresses` gives.
+    Columns of *null* are left null vectors of J, such as `eom.assembly.statics.self_stresses` gives.
     """
     joints = [item.connection for item in system.constraints]
-    return [tuple(locks(joints, vector)) for vector in null.T]
+    return [tuple(locks(joints, vector)) for vector in echelon(null).T]
+
+
+def echelon(null: Array) -> Array:
+    """The same space of columns, each with a row of its own, so that few rows are not zero."""
+    result = null.copy()
+    for k in range(result.shape[1]):
+        pivot = int(np.argmax(np.abs(result[:, k])))
+        result[:, k] /= result[pivot, k]
+        others = np.delete(np.arange(result.shape[1]), k)
+        result[:, others] -= np.outer(result[:, k], result[pivot, others])
+    return result
 
 
 def near_null(J: Array, tolerance: float) -> Array:
-    """Combinations of the rows of J that all but vanish, as columns, each as small a group as they allow."""
+    """Combinations of the rows of J that all but vanish, as columns."""
     scale = np.maximum(np.linalg.norm(J, axis=1), 1e-300)
     U, sigma, _ = np.linalg.svd(J / scale[:, np.newaxis])
     rank = int(np.sum(sigma > tolerance * sigma[0])) if sigma.size else 0
-    null = U[:, rank:].T.copy()
-    for k in range(len(null)):
-        pivot = int(np.argmax(np.abs(null[k])))
-        null[k] /= null[k, pivot]
-        for other in range(len(null)):
-            if other != k:
-                null[other] -= null[other, pivot] * null[k]
-    return np.asarray((null / scale).T)
+    return np.asarray(U[:, rank:] / scale[:, np.newaxis])
 
 
 def locks(joints: Sequence[Connection], multipliers: Array) -> Iterator[Lock]:
