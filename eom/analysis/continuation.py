@@ -6,7 +6,7 @@ import numpy as np
 
 from eom.analysis.closed import CLOSED, Mechanism
 from eom.analysis.closure import Posture
-from eom.assembly.diagnosis import redundant_joints
+from eom.assembly.diagnosis import groups_of, near_null
 from eom.assembly.vectors import Array
 
 # largest turn of a body in one step [rad], and displacement in lengths of the mechanism
@@ -87,7 +87,7 @@ def what_locks(mechanism: Mechanism, posture: Posture, values: Array, motion: Ar
 
 def groups(mechanism: Mechanism, derivative: Array, tolerance: float) -> list[tuple[str, ...]]:
     """Groups of connections that lock the same motion and have a driven one among them."""
-    found = redundant_joints(derivative[:, mechanism.free], mechanism.owners, tolerance)
+    found = groups_of(near_null(derivative[:, mechanism.free], tolerance), mechanism.owners)
     drives = {item.name for item in mechanism.driven}
     return [group for group in found if drives & set(group)] or found
 

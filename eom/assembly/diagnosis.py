@@ -82,6 +82,14 @@ def redundant_joints(system: System, null: Array) -> str:
     return "; ".join(dict.fromkeys(" with ".join(some(group)) for group in groups))
 
 
+def groups_of(null: Array, owners: Sequence[str]) -> list[tuple[str, ...]]:
+    """Owners of the rows that take part in each null vector, as few as the redundancy allows."""
+    return [
+        tuple(dict.fromkeys(owners[int(k)] for k in np.flatnonzero(np.abs(vector) > SHOWN * np.max(np.abs(vector)))))
+        for vector in echelon(null).T
+    ]
+
+
 def some(names: list[str]) -> list[str]:
     """The names, or if they are many the first ones and how many others there are."""
     return names if len(names) <= MANY else [*names[: MANY - 1], f"{len(names) - MANY + 1} others"]
