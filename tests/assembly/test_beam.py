@@ -22,7 +22,9 @@ def roots_of(sign: float, count: int) -> Array:
     first = 0 if sign < 0.0 else 1
     return np.array(
         [
-            brentq(lambda b: np.cos(b) - sign / np.cosh(b), (k + 0.5) * np.pi - 0.4, (k + 0.5) * np.pi + 0.4, xtol=1e-14)
+            brentq(
+                lambda b: np.cos(b) - sign / np.cosh(b), (k + 0.5) * np.pi - 0.4, (k + 0.5) * np.pi + 0.4, xtol=1e-14
+            )
             for k in range(first, first + count)
         ]
     )
@@ -104,9 +106,7 @@ def test_weight_and_its_moment_are_carried_at_the_clamp() -> None:
     free = chain(1, (EI, EI), MU, length=L)
     beam = Beam("beam", (0, 1), (ZERO, tip.centre), (EI, 2.0 * EI), (0.2, 1.0, 1.0), MU)
     rods = tuple(item._replace(connection=item.connection._replace(bodies=(0, 1))) for item in free.constraints)
-    system = EMPTY._replace(
-        bodies=(root, tip), constraints=(clamp, *rods), beams=(beam,), gravity=(0.0, 0.0, -9.81)
-    )
+    system = EMPTY._replace(bodies=(root, tip), constraints=(clamp, *rods), beams=(beam,), gravity=(0.0, 0.0, -9.81))
     found = assembled(system).statics
     weight = MU * L * 9.81
     np.testing.assert_allclose(found.reactions[:6], [0, 0, weight, 0, -weight * L / 2.0, 0], atol=1e-9 * weight)
