@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from eom.assembly.algebra import DENSE, Algebra, Entry, block_diagonal, row_entry, square_entry, stacked
+from eom.assembly.beam import beam_carried
 from eom.assembly.elastic import Strained, damping_entries, elastic_items, inertance_entries, stiffness_entries
 from eom.assembly.inertia import kinematic_entries, mass_entries, momentum_entries
 from eom.assembly.loads import load_stiffness, load_sums, with_weight
@@ -19,6 +20,7 @@ from eom.assembly.reduction import Pivots, Reduction, reduce_coordinates
 from eom.assembly.rows import local_rows, row_count
 from eom.assembly.statics import Statics, equilibrium
 from eom.assembly.tangent import tangent_entries
+from eom.assembly.triangle import triangle_carried
 from eom.assembly.vectors import Array
 from eom.vehicle.elements import Connection, System
 
@@ -130,9 +132,16 @@ def carried_loads(system: System, items: list[Strained], statics: Statics) -> li
     reactions = split(statics.reactions, [row_count(item) for item in joints])
     tensions = split(statics.tensions, [len(item.rows) for item in items])
     carried = list(zip(joints, reactions, strict=True))
-    return carried + [
+    carried += [
         (item.connection, own) for item, own in zip(items, tensions, strict=True) if item.connection is not None
     ]
+    structures = [own for item, own in zip(items, tensions, strict=True) if item.connection is None]
+    bent, strained = structures[: len(system.beams)], structures[len(system.beams) :]
+    for beam, own in zip(system.beams, bent, strict=True):
+        carried += beam_carried(system.bodies, beam, own, system.gravity)
+    for triangle, own in zip(system.triangles, strained, strict=True):
+        carried += triangle_carried(system.bodies, triangle, own)
+    return carried
 
 
 def assemble_matrices(system: System, pivots: Pivots, algebra: Algebra = DENSE) -> Matrices:
