@@ -137,6 +137,9 @@ def test_cooks_membrane_converges_from_below(*, drilling: bool) -> None:
     assert np.all(left[1:] < 0.5 * left[:-1])
     if drilling:
         assert left[2] < 0.6
+    else:
+        # known of constant strain on these meshes
+        np.testing.assert_allclose(found, [11.99, 18.28, 22.02], atol=0.005)
 
 
 @pytest.mark.parametrize("drilling", [False, True])
