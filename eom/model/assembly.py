@@ -120,11 +120,17 @@ class Assembly:
     @property
     def descriptor(self) -> Descriptor:
         """E dz/dt = A z + B u + B_rate du/dt with z = (q, n): the projections of the full equations by L and R."""
-        N, zero = self.M.shape[0], np.zeros_like(self.M)
-        E0: Array = np.block([[np.eye(N), zero], [zero, self.M]])
-        A0: Array = -np.block([[self.V, -np.eye(N)], [self.K, self.C]])
-        L, R = self.L, self.R
-        return Descriptor(L.T @ E0 @ R, L.T @ A0 @ R, L[N:].T @ self.matrices.F, L[N:].T @ self.matrices.G)
+        T, W, Z, at = self.reduction.T, self.reduction.W, self.reduction.Z, self.reduction.independent
+        n_q, n_n = T.shape[1], W.shape[1]
+        E = np.block([[np.eye(n_q), np.zeros((n_q, n_n))], [W.T @ (self.M @ Z), W.T @ (self.M @ W)]])
+        A = np.block(
+            [
+                [(Z - self.V @ T)[at], W[at]],
+                [-W.T @ (self.K @ T + self.C @ Z), -W.T @ (self.C @ W)],
+            ]
+        )
+        B, B_rate = (np.vstack([np.zeros((n_q, F.shape[1])), W.T @ F]) for F in (self.matrices.F, self.matrices.G))
+        return Descriptor(E, A, B, B_rate)
 
     @property
     def coordinates(self) -> tuple[str, ...]:
