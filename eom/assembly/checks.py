@@ -48,9 +48,9 @@ def check_body(body: Body) -> Iterator[Finding]:
 
 
 def check_slip(item: Slip) -> Iterator[Finding]:
-    """A tyre or slip damper must oppose sliding."""
+    """A tyre or slip damper must oppose sliding; air need not."""
     worst = item.coefficients[0][0]
-    if worst < 0.0:
+    if worst < 0.0 and not item.moving:
         yield item.connection.name, f"its coefficient is {worst:g} N s/m: it would push along with the slip"
 
 
@@ -102,7 +102,7 @@ def check_trim(system: System) -> Iterator[Finding]:
         ("joint", [item.connection for item in system.constraints if not item.moving]),
         ("joint", list(system.rolling)),
         ("spring or damper", [item.connection for item in system.elastic]),
-        ("tyre or slip damper", [item.connection for item in system.slip]),
+        ("tyre or slip damper", [item.connection for item in system.slip if not item.moving]),
     ):
         for connection in group:
             _, columns, jacobian = row_entry(0, connection.bodies, local_rows(system.bodies, connection))

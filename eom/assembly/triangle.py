@@ -121,7 +121,7 @@ def triangle_carried(bodies: Sequence[Body], triangle: Triangle, tensions: Array
         pair, (start, end) = (triangle.bodies[i], triangle.bodies[j]), (triangle.places[i], triangle.places[j])
         carried.append((Connection(triangle.name, pair, (start, end), forces=1, line=True), edges[k : k + 1]))
         if triangle.drilling:
-            twist = np.array([(moments[i] - moments[j]) / 3.0])
+            twist: Array = np.array([(moments[i] - moments[j]) / 3.0])
             axis = tuple(normal.tolist())
             carried.append((Connection(triangle.name, pair, (start, start), moments=1, moment_axis=axis), twist))
     return carried

@@ -34,7 +34,8 @@ sensors:
 
 def response(model: eom.LinearModel, frequency: float) -> Complex:
     """Frequency response at one frequency [Hz]."""
-    return model.frequency_response(frequency)[0]
+    found: Complex = model.frequency_response(frequency)[0]
+    return found
 
 
 @pytest.mark.parametrize("frequency", [0.1, 1.3, 11.0])
