@@ -10,17 +10,15 @@ import numpy as np
 from eom.assembly.algebra import row_entry
 from eom.assembly.inertia import trim_velocity
 from eom.assembly.rows import local_rows
+from eom.assembly.structure_checks import RELATIVE, Finding, strained_by, structure_findings
 from eom.assembly.vectors import Array
 from eom.vehicle.elements import Body, Connection, Slip, System
-
-RELATIVE = 1e-9
-Finding = tuple[str, str]
-
 
 def check_system(system: System) -> list[Finding]:
     """Everything that no system may have."""
     findings = [finding for body in system.bodies for finding in check_body(body)]
     findings += [finding for item in system.slip for finding in check_slip(item)]
+    findings += structure_findings(system)
     geometry = [finding for connection in connections(system) for finding in check_geometry(connection)]
     findings += dict.fromkeys(geometry)
     return findings or list(check_trim(system))
@@ -70,7 +68,7 @@ def check_spin(body: Body, inertia: Array) -> Iterator[Finding]:
 
 def connections(system: System) -> Iterator[Connection]:
     """Every connection of the system."""
-    for group in (system.constraints, system.elastic, system.slip, system.inputs):
+    for group in (system.constraints, system.elastic, system.bushings, system.slip, system.inputs):
         for item in group:
             yield item.connection
     yield from system.rolling
@@ -101,7 +99,6 @@ def check_trim(system: System) -> Iterator[Finding]:
     for kind, group in (
         ("joint", [item.connection for item in system.constraints if not item.moving]),
         ("joint", list(system.rolling)),
-        ("spring or damper", [item.connection for item in system.elastic]),
         ("tyre or slip damper", [item.connection for item in system.slip if not item.moving]),
     ):
         for connection in group:
@@ -109,6 +106,12 @@ def check_trim(system: System) -> Iterator[Finding]:
             rate = jacobian @ w[columns]
             limit = RELATIVE * size * float(np.max(np.abs(jacobian), initial=1.0))
             if np.any(np.abs(rate) > limit):
-                worst = float(rate[np.argmax(np.abs(rate))])
-                motion = f"its ends move relative to each other at {worst:.6g} (m/s or rad/s) where it acts"
-                yield connection.name, f"the trim motion violates this {kind}: {motion}"
+                yield connection.name, violation(kind, float(rate[np.argmax(np.abs(rate))]))
+    for name, worst in strained_by(system, w):
+        yield name, violation("spring or damper", worst)
+
+
+def violation(kind: str, rate: float) -> str:
+    """The sentence for a connection that the trim motion strains at a rate."""
+    motion = f"its ends move relative to each other at {rate:.6g} (m/s or rad/s) where it acts"
+    return f"the trim motion violates this {kind}: {motion}"
