@@ -93,7 +93,7 @@ def beam_carried(
     rows, _ = beam_rows(bodies, beam)
     wrenches = (rows.T @ tensions).reshape(2, 6)
     moment = weight_moment(beam, gravity)
-    carried = []
+    carried: list[tuple[Connection, Array]] = []
     for end, (own, sign) in enumerate(zip(wrenches, (1.0, -1.0), strict=True)):
         pair, place = (beam.bodies[end], beam.bodies[1 - end]), beam.places[end]
         about = own[3:] - skew(arm_of(bodies, beam.bodies[end], place)) @ own[:3] + sign * moment

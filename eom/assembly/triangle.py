@@ -116,12 +116,12 @@ def triangle_carried(bodies: Sequence[Body], triangle: Triangle, tensions: Array
     normal = triangle_axes(triangle)[2]
     arms = [arm_of(bodies, body, place) for body, place in zip(triangle.bodies, places, strict=True)]
     moments = [normal @ (own[3:] - skew(r) @ own[:3]) for own, r in zip(wrenches, arms, strict=True)]
-    carried = []
+    carried: list[tuple[Connection, Array]] = []
     for k, (i, j) in enumerate(CORNERS):
         pair, (start, end) = (triangle.bodies[i], triangle.bodies[j]), (triangle.places[i], triangle.places[j])
         carried.append((Connection(triangle.name, pair, (start, end), forces=1, line=True), edges[k : k + 1]))
         if triangle.drilling:
-            twist = np.array([(moments[i] - moments[j]) / 3.0])
+            twist: Array = np.array([(moments[i] - moments[j]) / 3.0])
             axis = tuple(normal.tolist())
             carried.append((Connection(triangle.name, pair, (start, start), moments=1, moment_axis=axis), twist))
     return carried

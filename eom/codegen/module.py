@@ -26,6 +26,7 @@ from eom.assembly import (
     reduction,
     state_space,
     statics,
+    structure_checks,
     tangent,
     triangle,
     vectors,
@@ -59,6 +60,7 @@ KERNEL = (
     massless,
     cyclic,
     state_space,
+    structure_checks,
     checks,
 )
 SECTIONS = ("bodies", "constraints", "rolling", "elastic", "slip", "loads", "inputs", "outputs")

@@ -8,6 +8,7 @@ import numpy as np
 from eom.assembly.algebra import DENSE, Algebra
 from eom.assembly.checks import check_system
 from eom.assembly.diagnosis import near_null, redundant_joints
+from eom.assembly.elastic import elastic_items
 from eom.assembly.massless import FirstOrder, IndexAboveOneError, first_order, independent_equations
 from eom.assembly.matrices import DISPLACEMENTS, VELOCITIES, Matrices, assemble_matrices, joint_rows
 from eom.assembly.pivots import MANY_BODIES, choose_coordinates, with_cyclic, with_massless
@@ -154,8 +155,8 @@ class Assembly:
 
     @property
     def elastic_rows(self) -> tuple[str, ...]:
-        """Names of the elastic rows H."""
-        return self.row_names([item.connection for item in self.system.elastic])
+        """Names of the elastic rows H: springs and points, bushings, beams, membranes."""
+        return numbered([(item.name, len(item.rows)) for item in elastic_items(self.system)])
 
     @property
     def slip_rows(self) -> tuple[str, ...]:
@@ -164,11 +165,15 @@ class Assembly:
 
     def row_names(self, connections: list[Connection]) -> tuple[str, ...]:
         """One name per row: the connection's, numbered where it has several rows."""
-        result: list[str] = []
-        for item in connections:
-            count = row_count(item)
-            result += [item.name] if count == 1 else [f"{item.name}[{k}]" for k in range(count)]
-        return tuple(result)
+        return numbered([(item.name, row_count(item)) for item in connections])
+
+
+def numbered(counts: list[tuple[str, int]]) -> tuple[str, ...]:
+    """Each name as often as it has rows, numbered where it has several."""
+    result: list[str] = []
+    for name, count in counts:
+        result += [name] if count == 1 else [f"{name}[{k}]" for k in range(count)]
+    return tuple(result)
 
 
 def assemble(vehicle: Vehicle) -> Assembly:
