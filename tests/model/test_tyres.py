@@ -23,8 +23,8 @@ def car(tyre: str) -> str:
 def lagged(sigma: float, trail: float, s: complex) -> np.ndarray:
     """Answer of v, r and lateral acceleration to steer at *s*.
 
-    The side force of each axle obeys (sigma/U) dF/dt + F = -C (slip angle - steer), so that each C is C/(1 + s sigma/U);
-    it acts *trail* behind the axle.
+    The side force of each axle obeys (sigma/U) dF/dt + F = -C (slip angle - steer), so each C becomes
+    C/(1 + s sigma/U); it acts *trail* behind the axle.
     """
     C_s = C / (1.0 + s * sigma / U)
     slips = np.array([[1.0, a], [1.0, -b]]) / U
