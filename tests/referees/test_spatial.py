@@ -193,7 +193,14 @@ def enriched(system: System, seed: int) -> System:
         given = numbers.uniform(-20.0, 20.0) if item.connection.line and numbers.integers(2) else None
         inertance = (float(numbers.uniform(0.0, 0.5)), float(numbers.uniform(0.0, 0.5)))
         elastic.append(item._replace(inertance=inertance, preload=given))
-    slip = [item._replace(added_mass=square(len(item.coefficients))) for item in system.slip]
+    slip = [
+        item._replace(
+            added_mass=square(len(item.coefficients)),
+            camber=tuple(numbers.normal(size=len(item.coefficients))),
+            camber_axis=vector(numbers.normal(size=3)),
+        )
+        for item in system.slip
+    ]
     axes = vector(numbers.normal(size=3)), vector(numbers.normal(size=3))
     place = point((0, 1), vector(numbers.normal(size=3)), 3, 3, name="bushing of matrices")
     bushing = Bushing(place, axes, square(6), square(6))
