@@ -38,9 +38,13 @@ def draft_aerodynamics(draft: Draft, name: str, item: Aero | Wing | ControlSurfa
 def stream(draft: Draft, name: str, item: Flow, path: Path, site: Site) -> tuple[float, float, float, float]:
     """Half of density times speed times area [kg/s], speed, and the lengths of span and chord."""
     area, span, chord, density = (
-        number(draft.registry, item, name, key, path, site) for key in ("area", "span", "chord", "density")
+        draft.registry.not_negative(number(draft.registry, item, name, key, path, site), (*path, key))
+        for key in ("area", "span", "chord", "density")
     )
-    speed = draft.speed if item.speed is None else number(draft.registry, item, name, "speed", path, site)
+    speed = draft.speed
+    if item.speed is not None:
+        given_speed = number(draft.registry, item, name, "speed", path, site)
+        speed = draft.registry.not_negative(given_speed, (*path, "speed"))
     return HALF * density * speed * area, speed, span, chord
 
 

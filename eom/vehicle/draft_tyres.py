@@ -33,13 +33,15 @@ class TyreNumbers(NamedTuple):
 
 def tyre_numbers(draft: Draft, name: str, tyre: parts.Tyre) -> TyreNumbers:
     """The numbers of a tyre."""
-    values = (
-        None
-        if (value := getattr(tyre, key)) is None
-        else draft.registry.number(value, f"{name}.{key}", ("tyres", name, key))
-        for key in TyreNumbers._fields
-    )
-    return TyreNumbers(*cast("tuple[float, ...]", tuple(values)))
+    found: dict[str, float | None] = dict.fromkeys(TyreNumbers._fields)
+    for key in TyreNumbers._fields:
+        if (value := getattr(tyre, key)) is None:
+            continue
+        path = ("tyres", name, key)
+        found[key] = number = draft.registry.number(value, f"{name}.{key}", path)
+        if key not in {"cornering", "trail"}:
+            draft.registry.not_negative(number, path, zero=key != "relaxation")
+    return TyreNumbers(**cast("dict[str, float]", found))
 
 
 def draft_tyre(

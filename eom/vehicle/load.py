@@ -14,7 +14,7 @@ from eom.vehicle.elements import System
 from eom.vehicle.expression import Expression, evaluate
 from eom.vehicle.source import MAX_BYTES, Source, read_source
 from eom.vehicle.validate import COLLECTIONS, validate
-from eom.vehicle.values import check_expressions, numbers, override, parameter_values
+from eom.vehicle.values import check_expressions, check_floors, numbers, override, parameter_values
 
 
 @dataclass(frozen=True)
@@ -99,6 +99,7 @@ def loads(text: str | bytes, file: str = "<text>", /, **overrides: str | float) 
         source.report((), "describes no body: give 'bodies' or 'units'")
     values = parameter_values(draft.registry, source)
     check_expressions(draft.registry, values, source)
+    check_floors(draft.registry, values, source)
     if source.mistakes:
         raise DescriptionError(source.mistakes)
     system = numbers(draft.system(), values, draft, source)

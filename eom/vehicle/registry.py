@@ -32,8 +32,8 @@ class Registry:
     """Collects live numbers, the expressions made of them, and the mistakes made in referring to them.
 
     ``computed`` tells which parameters a number without a name of its own is made of, ``used`` which arguments of
-    templates occur. Names in ``broken`` belong to parts left out because of mistakes: referring to them is no
-    further one.
+    templates occur. ``floors`` holds (expression, path, whether zero is allowed) of what must not be negative. Names
+    in ``broken`` belong to parts left out because of mistakes: referring to them is no further one.
     """
 
     parameters: dict[str, Live] = field(default_factory=dict)
@@ -42,6 +42,7 @@ class Registry:
     expressions: list[tuple[Expression, Path]] = field(default_factory=list)
     computed: dict[str, tuple[str, ...]] = field(default_factory=dict)
     used: set[str] = field(default_factory=set)
+    floors: list[tuple[Expression, Path, bool]] = field(default_factory=list)
 
     def excuses(self, name: str) -> bool:
         """Whether a name is, or is composed of, one that was left out."""
@@ -94,6 +95,11 @@ class Registry:
         expression = self.resolve(quantity, path, scope or {})
         self.computed[name] = tuple(names(expression))
         return cast("float", expression)
+
+    def not_negative(self, value: float, path: Path, *, zero: bool = True) -> float:
+        """The same value, which must not be negative, nor without *zero* be zero."""
+        self.floors.append((cast("Expression", value), path, zero))
+        return value
 
     def place(
         self,

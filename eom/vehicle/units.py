@@ -18,6 +18,7 @@ MAX_LENGTH = 60
 SPACE = re.compile(r" *([*/^]) *")
 FACTOR = re.compile(r"([A-Za-z°]+)(?:\^(-?\d))?", re.ASCII)
 DEFINITIONS = """
+giga- = 1e9 = G-
 mega- = 1e6 = M-
 kilo- = 1e3 = k-
 centi- = 1e-2 = c-

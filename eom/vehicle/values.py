@@ -142,6 +142,18 @@ def check_expressions(registry: Registry, values: Mapping[str, float], source: S
                 source.report(path, str(error))
 
 
+def check_floors(registry: Registry, values: Mapping[str, float], source: Source) -> None:
+    """Report every value that is negative, or zero, where it must not be."""
+    for expression, path, zero in registry.floors:
+        try:
+            value = evaluate(expression, values)
+        except (KeyError, ValueError):
+            # reported where it stands
+            continue
+        if value < 0.0 or (value == 0.0 and not zero):
+            source.report(path, f"is {value:g}: expected {'no less' if zero else 'more'} than zero")
+
+
 def numbers(item: object, values: Mapping[str, float], draft: Draft, source: Source, owner: str = "") -> object:
     """The same structure with every expression evaluated; a slip at zero speed is reported at its object."""
     if isinstance(item, Expression):

@@ -1,10 +1,10 @@
-"""Files that are too large, too deep or no text; as a script: load them and the corpus, print peak memory."""
+"""Files that are too large, too deep or no text; as a script: try them and the corpus, print peak memory."""
 
 import resource
 import sys
 from pathlib import Path
 
-from eom import DescriptionError, loads
+from eom import DescriptionError, assemble, loads
 
 FOLDER = Path(__file__).parents[1] / "bad_files"
 BODY = "bodies: {a: {mass: 1, at: [0, 0, 0]}}\n"
@@ -46,12 +46,12 @@ MONSTERS: dict[str, tuple[str | bytes, str]] = {
 
 
 def main() -> None:
-    """Load every bad file; a runaway dies of its limit before the machine does."""
+    """Load and assemble every bad file; a runaway dies of its limit before the machine does."""
     resource.setrlimit(resource.RLIMIT_AS, (4 << 30, 4 << 30))
     texts = [text for text, _ in MONSTERS.values()] + [file.read_bytes() for file in sorted(FOLDER.glob("*.yaml"))]
     for text in texts:
         try:
-            loads(text)
+            assemble(loads(text))
         except DescriptionError:
             continue
         sys.exit("a bad file was read")

@@ -12,7 +12,7 @@ from eom.vehicle.units import DIMENSIONLESS, parse_unit, show_dimension
 REFEREE: "pint.UnitRegistry[float]" = pint.UnitRegistry()
 # our name to pint's, which calls some units otherwise
 SAME = """
-m kg g s rad N Pa bar J W Hz deg rpm lb ft lbf h min slug mph kph km mm cm ms kN MN MPa kPa kJ kW mN metre meter sec
+m kg g s rad N Pa bar J W Hz deg rpm lb ft lbf h min slug mph kph km mm cm ms kN MN GPa MPa kPa kJ kW mN metre meter sec
 degree tonne hour foot inch newton pound
 """
 NAMES = {
