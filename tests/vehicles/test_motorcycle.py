@@ -1,9 +1,11 @@
 """The motorcycle against R. S. Sharp's equations of 1971, and against what physics says without them.
 
 The referee is the paper's model written out: four coordinates (sideways velocity of the point of the road under the
-rear frame's centre of mass, yaw, roll, steer) and two tyre forces that build up over a relaxation length, in his axes
-x forward, y right, z down. The paper takes the load on the front tyre as a number of its own, 226 lbf; the weights of
-its table put 1012.5 N there, and this is what statics finds.
+rear frame's centre of mass, yaw, roll, steer) and two tyre forces that build up over a relaxation length, in its axes
+x forward, y right, z down. The machine's numbers, in SI units, and the roots below are those of a public model of the
+paper, github.com/aerotinez/trajopt (examples/sharpmotorcycle: its parameters of 1971, its state matrix made by the
+Symbolic Math Toolbox); the paper itself was not at hand. It gives the load on the front tyre as a number of its own,
+1005.3 N; the weights of the table put 1012.5 N there, and this is what statics finds.
 
 Tolerance 1e-9: the vehicle is assembled from six bodies (two contact patches among them) in 36 coordinates, the
 referee has eight states; the roots are simple and differ by rounding alone.
@@ -26,6 +28,19 @@ Cf1, Cf2, Cr1, Cr2, sigma, damper = 11174.0, 938.6, 15831.0, 1325.6, 0.2438, 6.7
 sin, cos = np.sin(eps), np.cos(eps)
 j, k, front = (a + e) * sin - f * cos, (a + e) * cos + f * sin, (a - an) / cos
 PUBLISHED_LOAD = 1005.3
+PUBLIC_ROOTS = np.array(
+    [
+        -121.1229633876,
+        -109.7387530179,
+        -18.8564218905,
+        -4.0554938551 - 54.2135297080j,
+        -4.0554938551 + 54.2135297080j,
+        -1.9684151423 - 19.0999927422j,
+        -1.9684151423 + 19.0999927422j,
+        0.0725455917,
+    ]
+)
+"""Of the public model's state matrix at 30 m/s with the load 1005.3 N."""
 LOAD = g * (Mr * b + Mf * (b + k)) / (front + b)
 """On the front tyre [N], by the lever about the rear one."""
 SPEEDS = (1.0, 5.0, 10.0, 20.0, 30.0, 45.0, 60.0)
@@ -75,6 +90,11 @@ def lateral(model: eom.LinearModel) -> Array:
     roots = roots[np.argsort(-np.abs(roots))]
     np.testing.assert_allclose(roots[8:], 0.0, atol=1e-9)
     return ordered(roots[:8])
+
+
+def test_the_referee_has_the_roots_of_the_public_models_state_matrix() -> None:
+    """To the digits written down."""
+    np.testing.assert_allclose(ordered(np.linalg.eigvals(sharp(V0, PUBLISHED_LOAD)[0])), PUBLIC_ROOTS, atol=1e-9)
 
 
 @pytest.mark.parametrize("V", SPEEDS)
