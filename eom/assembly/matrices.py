@@ -38,7 +38,7 @@ class Matrices(NamedTuple):
     C : Array
         All that multiplies w: momentum, dampers and slip, (N, N).
     K : Array
-        All that multiplies p: elastic, tangent, load and moving-damper stiffness, (N, N).
+        All that multiplies p: elastic, tangent, load and moving-damper stiffness, camber thrust, (N, N).
     V : Array
         Kinematic matrix, (N, N).
     J, Jn : Array
@@ -53,7 +53,7 @@ class Matrices(NamedTuple):
         Applied loads and weight, (N,).
     M_body, M_inertance, M_added : Array
         Terms of M: bodies, inerters and beams (which feel the second rate of p), and fluid (which feels dw/dt).
-    K_elastic, K_tangent, K_load, K_damper : Array
+    K_elastic, K_tangent, K_load, K_damper, K_camber : Array
         Terms of K.
     C_momentum, C_damper, C_inertance, C_slip : Array
         Terms of C.
@@ -82,6 +82,7 @@ class Matrices(NamedTuple):
     K_tangent: Array
     K_load: Array
     K_damper: Array
+    K_camber: Array
     C_momentum: Array
     C_damper: Array
     C_inertance: Array
@@ -109,6 +110,15 @@ def slip_entries(system: System, which: str) -> Iterator[Entry]:
         if matrix.size:
             own = local_rows(system.bodies, item.connection)
             yield square_entry(item.connection.bodies, own.T @ matrix @ own)
+
+
+def camber_entries(system: System) -> Iterator[Entry]:
+    """Camber thrust, the force of slip elements by the angle of their first body, over all coordinates."""
+    for item in system.slip:
+        if item.camber:
+            turning = item.connection._replace(forces=0, moments=1, moment_axis=item.camber_axis)
+            force = np.outer(item.camber, local_rows(system.bodies, turning)[0])
+            yield square_entry(item.connection.bodies, local_rows(system.bodies, item.connection).T @ force)
 
 
 def input_columns(system: System, which: str) -> Array:
@@ -171,6 +181,7 @@ def assemble_matrices(system: System, pivots: Pivots, algebra: Algebra = DENSE) 
         algebra.build(square, load_stiffness(bodies, loads)),
         # a damper feels dp/dt = w - V p
         -(C_damper @ V),
+        algebra.build(square, camber_entries(system)),
     )
     C_parts = (
         algebra.build(square, momentum_entries(bodies)),
@@ -182,7 +193,7 @@ def assemble_matrices(system: System, pivots: Pivots, algebra: Algebra = DENSE) 
     return Matrices(
         M_parts[0] + M_parts[1] + M_parts[2],
         C_parts[0] + C_parts[1] + C_parts[2] + C_parts[3],
-        K_parts[0] + K_parts[1] + K_parts[2] + K_parts[3],
+        K_parts[0] + K_parts[1] + K_parts[2] + K_parts[3] + K_parts[4],
         V,
         J,
         Jn,

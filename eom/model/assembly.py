@@ -70,7 +70,7 @@ class Assembly:
 
     @property
     def K(self) -> Array:
-        """What multiplies displacements p: elastic, tangent, load and moving-damper stiffness, (N, N)."""
+        """What multiplies displacements p: elastic, tangent, load, moving-damper and camber stiffness, (N, N)."""
         return self.matrices.K
 
     @property

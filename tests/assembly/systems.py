@@ -23,6 +23,7 @@ from eom.vehicle.elements import (
     Load,
     Matrix3,
     Output,
+    Slip,
     System,
     Vector,
 )
@@ -213,6 +214,9 @@ def moved(system: System, rotation: Array, shift: Array) -> System:
     def moved_load(item: Load) -> Load:
         return item._replace(place=place(item.place), force=polar(item.force), moment=axial(item.moment))
 
+    def moved_slip(item: Slip) -> Slip:
+        return item._replace(connection=moved_connection(item.connection), camber_axis=axial(item.camber_axis))
+
     def moved_output(item: Output) -> Output:
         return item._replace(terms=tuple((weight, moved_connection(term)) for weight, term in item.terms))
 
@@ -222,7 +226,7 @@ def moved(system: System, rotation: Array, shift: Array) -> System:
         tuple(item._replace(connection=moved_connection(item.connection)) for item in system.constraints),
         tuple(moved_connection(item) for item in system.rolling),
         tuple(item._replace(connection=moved_connection(item.connection)) for item in system.elastic),
-        tuple(item._replace(connection=moved_connection(item.connection)) for item in system.slip),
+        tuple(moved_slip(item) for item in system.slip),
         tuple(moved_load(item) for item in system.loads),
         tuple(item._replace(connection=moved_connection(item.connection)) for item in system.inputs),
         tuple(moved_output(item) for item in system.outputs),
