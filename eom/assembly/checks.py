@@ -14,6 +14,7 @@ from eom.assembly.structure_checks import RELATIVE, Finding, strained_by, struct
 from eom.assembly.vectors import Array
 from eom.vehicle.elements import Body, Connection, Slip, System
 
+
 def check_system(system: System) -> list[Finding]:
     """Everything that no system may have."""
     findings = [finding for body in system.bodies for finding in check_body(body)]

@@ -112,7 +112,7 @@ def triangle_carried(bodies: Sequence[Body], triangle: Triangle, tensions: Array
     for k, (i, j) in enumerate(CORNERS):
         along = unit(places[j] - places[i])
         pulls[3 * i : 3 * i + 3, k], pulls[3 * j : 3 * j + 3, k] = along, -along
-    edges = np.linalg.lstsq(pulls, wrenches[:, :3].ravel(), rcond=None)[0]
+    edges: Array = np.asarray(np.linalg.lstsq(pulls, wrenches[:, :3].ravel(), rcond=None)[0])
     normal = triangle_axes(triangle)[2]
     arms = [arm_of(bodies, body, place) for body, place in zip(triangle.bodies, places, strict=True)]
     moments = [normal @ (own[3:] - skew(r) @ own[:3]) for own, r in zip(wrenches, arms, strict=True)]

@@ -140,8 +140,8 @@ class Triangle(NamedTuple):
 class Slip(NamedTuple):
     """A force that opposes sliding velocity in body axes: minus ``coefficients`` (square) times slip velocity.
 
-    ``added_mass`` (square, or empty) times the slip velocity's rate is the force of fluid that is carried along. A ``moving`` one counts the velocity from
-    that of the trim, whose own force is a load: air, not a road.
+    ``added_mass`` (square, or empty) times the slip velocity's rate is the force of fluid that is carried along. A
+    ``moving`` one counts the velocity from that of the trim, whose own force is a load: air, not a road.
     """
 
     connection: Connection

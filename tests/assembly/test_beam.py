@@ -10,7 +10,7 @@ from scipy.optimize import brentq
 
 from eom.vehicle.elements import GROUND, Beam, Constraint, Load, System, Vector
 from tests.assembly.structures import chain, node
-from tests.assembly.systems import EMPTY, X, Y, Z, Array, assembled, eigenvalues, linear, measure, point, push, transfer
+from tests.assembly.systems import EMPTY, Array, X, Y, Z, assembled, eigenvalues, linear, measure, point, push, transfer
 
 EI, MU, L = 210.0, 0.7, 1.3
 ZERO: Vector = (0.0, 0.0, 0.0)

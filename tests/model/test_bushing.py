@@ -7,7 +7,9 @@ from scipy.spatial.transform import Rotation
 import eom
 from tests.assembly.systems import Array
 
-ENDS = np.array([[0.1, 0.2, 0.0], [-0.2, 0.1, 0.3], [0.0, -0.3, 0.1], [0.2, 0.2, -0.2], [-0.1, 0.0, -0.3], [0.3, -0.1, 0.2]])
+ENDS = np.array(
+    [[0.1, 0.2, 0.0], [-0.2, 0.1, 0.3], [0.0, -0.3, 0.1], [0.2, 0.2, -0.2], [-0.1, 0.0, -0.3], [0.3, -0.1, 0.2]]
+)
 ALONG = np.array([[1.0, 0, 0], [0, 1, 0], [0, 0, 1], [0.6, 0.8, 0], [0, 0.6, -0.8], [0.8, 0, 0.6]])
 STIFF = np.array([100.0, 250.0, 80.0, 40.0, 300.0, 120.0])
 PLACE = np.array([0.4, -0.3, 0.9])
@@ -47,9 +49,7 @@ def resolved(axes: Array, weights: Array) -> Array:
 @pytest.mark.parametrize("rotation", [np.zeros(3), np.array([0.4, -0.9, 1.3]), np.array([0.0, 0.0, np.pi / 2])])
 def test_a_bushing_is_the_sum_of_its_springs_on_any_axes(rotation: Array) -> None:
     axes = np.asarray(Rotation.from_rotvec(rotation).as_matrix())
-    bushing = eom.assemble(
-        eom.loads(by_bushing(axes, resolved(axes, STIFF), resolved(axes, np.full(6, 1.5))))
-    )
+    bushing = eom.assemble(eom.loads(by_bushing(axes, resolved(axes, STIFF), resolved(axes, np.full(6, 1.5)))))
     springs = eom.assemble(eom.loads(by_springs()))
     # text of sixteen digits, six terms each
     np.testing.assert_allclose(bushing.K, springs.K, atol=1e-11 * np.max(np.abs(springs.K)))

@@ -43,9 +43,7 @@ def test_a_quarter_car_with_an_inerter_has_the_closed_forms_response(frequency: 
     """Mass, damping and stiffness matrices of two masses; b stands in the first as c in the second."""
     s = 2j * np.pi * frequency
     strut = np.array([[1.0, -1.0], [-1.0, 1.0]])
-    dynamic = (
-        s**2 * (np.diag([300.0, 40.0]) + 60.0 * strut) + s * 1200.0 * strut + 20e3 * strut + np.diag([0.0, 180e3])
-    )
+    dynamic = s**2 * (np.diag([300.0, 40.0]) + 60.0 * strut) + s * 1200.0 * strut + 20e3 * strut + np.diag([0.0, 180e3])
     found = response(eom.linearise(eom.loads(QUARTER)), frequency)
     # the same two equations
     np.testing.assert_allclose(found, np.linalg.inv(dynamic), rtol=1e-11)

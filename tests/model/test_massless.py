@@ -69,7 +69,7 @@ def test_spring_and_damper_in_series_have_a_state_of_first_order(frequency: floa
 
 
 def test_the_series_of_spring_and_damper_relaxes_as_maxwells() -> None:
-    """m c y'' ... its characteristic polynomial is s (m c s^2/k + m s + c) = 0 with the position of rest."""
+    """M c y'' ... its characteristic polynomial is s (m c s^2/k + m s + c) = 0 with the position of rest."""
     found = np.sort_complex(eom.linearise(eom.loads(chain(f"damping: {c}"))).modes().eigenvalues)
     expected = np.sort_complex(np.append(np.roots([m * c / k, m, c]), 0.0))
     np.testing.assert_allclose(found, expected, atol=1e-10)

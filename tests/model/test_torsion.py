@@ -43,7 +43,7 @@ def test_a_given_torque_is_handed_on_and_one_that_contradicts_is_refused() -> No
     tensions = eom.assemble(eom.loads(open_end)).matrices.statics.tensions
     np.testing.assert_allclose(tensions[-3:], 40.0, rtol=1e-12)
     wrong = SHAFT.replace("stiffness: 20, preload: T", "stiffness: 20, preload: -T")
-    with pytest.raises(eom.EquilibriumError, match="a moment about x of .*80 N m remains on b"):
+    with pytest.raises(eom.EquilibriumError, match=r"a moment about x of .*80 N m remains on b"):
         eom.assemble(eom.loads(wrong))
 
 

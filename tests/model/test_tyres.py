@@ -23,7 +23,7 @@ def car(tyre: str) -> str:
 def lagged(sigma: float, trail: float, s: complex) -> np.ndarray:
     """Answer of v, r and lateral acceleration to steer at *s*.
 
-    The side force of each axle obeys (sigma/U) dF/dt + F = -C (slip angle - steer), so that each C is C/(1 + s sigma/U);
+    The side force of each axle obeys (sigma/U) dF/dt + F = -C (slip angle - steer): C is C/(1 + s sigma/U);
     it acts *trail* behind the axle.
     """
     C_s = C / (1.0 + s * sigma / U)
@@ -130,7 +130,7 @@ actuators:
 def test_the_preload_of_a_spinning_wheels_tyre_does_not_hold_its_spin() -> None:
     """Heave by itself; the spin is cyclic, its root exactly zero, though the tyre carries 600 N at an arm of 0.3 m."""
     assembly = eom.assemble(eom.loads(VERTICAL))
-    assert 600.0 == pytest.approx(np.max(np.abs(assembly.matrices.statics.tensions)))
+    assert pytest.approx(np.max(np.abs(assembly.matrices.statics.tensions))) == 600.0
     pitch = assembly.coordinates.index("wheel.pitch")
     for K in (assembly.matrices.K_tangent + assembly.matrices.K_load, assembly.matrices.K_elastic):
         np.testing.assert_array_equal(K[:, pitch], 0.0)
