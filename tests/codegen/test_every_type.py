@@ -15,7 +15,6 @@ from eom.vehicle.load import Vehicle
 from tests.codegen.test_module import SAME, assert_same, imported
 
 FILE = Path(__file__).parent / "every_type.yaml"
-TRAIN_ONLY: set[str] = set()
 
 
 def vehicle(**overrides: float) -> Vehicle:
