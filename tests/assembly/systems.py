@@ -16,14 +16,18 @@ from eom.assembly.state_space import StateSpace, state_space
 from eom.assembly.tangent import tangent_entries
 from eom.vehicle.elements import (
     GROUND,
+    Beam,
     Body,
+    Bushing,
     Connection,
     Elastic,
     Input,
     Load,
     Matrix3,
     Output,
+    Slip,
     System,
+    Triangle,
     Vector,
 )
 
@@ -92,6 +96,11 @@ def vector(values: Sequence[float] | Array) -> Vector:
 def tensor(values: Array) -> Matrix3:
     """A matrix (3, 3) as the plain tuples that bodies hold."""
     return (vector(values[0]), vector(values[1]), vector(values[2]))
+
+
+def matrix(values: Array) -> tuple[tuple[float, ...], ...]:
+    """A matrix of any shape as the plain tuples that elements hold."""
+    return tuple(tuple(float(value) for value in row) for row in values)
 
 
 def diagonal(xx: float, yy: float, zz: float) -> Matrix3:
@@ -179,9 +188,13 @@ def moved(system: System, rotation: Array, shift: Array) -> System:
     """The whole drawing turned by an orthogonal matrix, then shifted: everything in it goes along.
 
     With a reflection (determinant -1) axes of rotation, moments and spins, being axial vectors, turn round once
-    more: the mirror image of a wheel that rolls forward rolls forward.
+    more: the mirror image of a wheel that rolls forward rolls forward. Matrices over all directions refer to
+    inertial axes or, in bushings, to two stated axes and a third that stays right-handed.
     """
     hand = float(np.sign(np.linalg.det(rotation)))
+    six = np.kron(np.diag([1.0, hand]), rotation)
+    third = np.diag([1.0, 1.0, hand])
+    bushing_six = np.kron(np.diag([1.0, hand]), third)
 
     def place(a: Vector) -> Vector:
         return vector(rotation @ np.array(a) + shift)
@@ -216,14 +229,41 @@ def moved(system: System, rotation: Array, shift: Array) -> System:
     def moved_output(item: Output) -> Output:
         return item._replace(terms=tuple((weight, moved_connection(term)) for weight, term in item.terms))
 
+    def moved_slip(item: Slip) -> Slip:
+        result = item._replace(connection=moved_connection(item.connection))
+        if item.connection.moments != 3:
+            return result
+        # the mirror image keeps its matrices only in directions that are mirrored too
+        matrices = (item.coefficients, item.added_mass)
+        turned = (matrix(six @ np.array(values) @ six.T) if values else () for values in matrices)
+        return Slip(result.connection, *turned)
+
+    def moved_bushing(item: Bushing) -> Bushing:
+        first, second = item.axes
+        stiffness, damping = (
+            matrix(bushing_six @ np.array(values) @ bushing_six) for values in (item.stiffness, item.damping)
+        )
+        return Bushing(moved_connection(item.connection), (polar(first), polar(second)), stiffness, damping)
+
+    def moved_beam(item: Beam) -> Beam:
+        first, second = item.places
+        return item._replace(places=(place(first), place(second)), normal=polar(item.normal))
+
+    def moved_triangle(item: Triangle) -> Triangle:
+        a, b, c = item.places
+        return item._replace(places=(place(a), place(b), place(c)))
+
     return System(
         tuple(moved_body(item) for item in system.bodies),
         polar(system.gravity),
         tuple(item._replace(connection=moved_connection(item.connection)) for item in system.constraints),
         tuple(moved_connection(item) for item in system.rolling),
         tuple(item._replace(connection=moved_connection(item.connection)) for item in system.elastic),
-        tuple(item._replace(connection=moved_connection(item.connection)) for item in system.slip),
+        tuple(moved_slip(item) for item in system.slip),
         tuple(moved_load(item) for item in system.loads),
         tuple(item._replace(connection=moved_connection(item.connection)) for item in system.inputs),
         tuple(moved_output(item) for item in system.outputs),
+        tuple(moved_bushing(item) for item in system.bushings),
+        tuple(moved_beam(item) for item in system.beams),
+        tuple(moved_triangle(item) for item in system.triangles),
     )
