@@ -15,6 +15,9 @@ from eom.errors import (
     EquilibriumError as EquilibriumError,
 )
 from eom.errors import (
+    MechanismError as MechanismError,
+)
+from eom.errors import (
     OutputError as OutputError,
 )
 from eom.errors import (
@@ -22,6 +25,8 @@ from eom.errors import (
 )
 
 if TYPE_CHECKING:
+    from eom.analysis import KinematicSweep as KinematicSweep
+    from eom.analysis import kinematic_sweep as kinematic_sweep
     from eom.codegen import write_module as write_module
     from eom.model import LinearModel as LinearModel
     from eom.model import assemble as assemble
@@ -38,6 +43,8 @@ PUBLIC = {
     "linearise": "eom.model",
     "LinearModel": "eom.model",
     "write_module": "eom.codegen",
+    "kinematic_sweep": "eom.analysis",
+    "KinematicSweep": "eom.analysis",
 }
 
 
@@ -53,4 +60,5 @@ def __getattr__(name: str) -> Any:
 
 def __dir__() -> list[str]:
     """The public names."""
-    return sorted([*PUBLIC, "EomError", "DescriptionError", "EquilibriumError", "OutputError", "SingularError"])
+    errors = ("EomError", "DescriptionError", "EquilibriumError", "MechanismError", "OutputError", "SingularError")
+    return sorted([*PUBLIC, *errors])

@@ -54,3 +54,11 @@ class SingularError(EomError):
 
 class OutputError(EomError):
     """An output that no proper state space can give."""
+
+
+class MechanismError(EomError):
+    """A mechanism that cannot be driven as asked; ``partial`` holds what was computed until then, if anything."""
+
+    def __init__(self, message: str, partial: object = None) -> None:
+        self.partial = partial
+        super().__init__(message)

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from eom.assembly.matrices import Matrices
-from eom.assembly.reduction import ROUNDING, Pivots
+from eom.assembly.reduction import Pivots
 from eom.assembly.vectors import Array
 
 INDEX_TOLERANCE = 1e-12
@@ -29,11 +29,12 @@ class Equations(NamedTuple):
 
 
 class FirstOrder(NamedTuple):
-    """Rates of the states, and coordinates q and velocities n, as signals of states, inputs and their rates."""
+    """Rates of the states, coordinates q and velocities n, as signals; ``mass`` of the velocities that are states."""
 
     rates: Array
     q: Array
     n: Array
+    mass: Array
 
 
 class IndexAboveOneError(ValueError):
@@ -99,7 +100,7 @@ def first_order(equations: Equations, pivots: Pivots) -> FirstOrder:
     force = np.hstack([np.zeros((n_n, len(kept_q) + len(kept))), equations.F, equations.G])
     if not massless:
         rates = dynamics(equations, q, n, force, kept)
-        return FirstOrder(np.vstack([equations.Qq @ q + equations.Qn @ n, rates]), q, n)
+        return FirstOrder(np.vstack([equations.Qq @ q + equations.Qn @ n, rates]), q, n, equations.M)
     null = null_basis(equations.M, massless)
     damping = null.T @ equations.C @ null
     first, last = list(range(len(pivots.damped))), list(range(len(pivots.damped), len(massless)))
@@ -124,19 +125,13 @@ def first_order(equations: Equations, pivots: Pivots) -> FirstOrder:
     if followed:
         moved = rate_of(q, rates, n_u)[followed] - drift[followed]
         n = n + null @ right @ path_inverse @ moved
-    return FirstOrder(rates, q, n)
+    return FirstOrder(rates, q, n, equations.M[np.ix_(kept, kept)])
 
 
 def dynamics(equations: Equations, q: Array, n: Array, force: Array, kept: Array) -> Array:
     """Rates of the velocities that have mass."""
-    M, rest = equations.M[np.ix_(kept, kept)], (force - equations.K @ q - equations.C @ n)[kept]
-    rates: Array = np.linalg.solve(M, rest)
-    jump = slice(rates.shape[1] - equations.G.shape[1], None)
-    if np.any(rest[:, jump]):
-        # what an input's rate does not move has no jump of rounding either
-        size = np.abs(np.linalg.inv(M)) @ np.abs(rest[:, jump])
-        rates[:, jump] = np.where(np.abs(rates[:, jump]) <= ROUNDING * size, 0.0, rates[:, jump])
-    return rates
+    rest = force - equations.K @ q - equations.C @ n
+    return np.asarray(np.linalg.solve(equations.M[np.ix_(kept, kept)], rest[kept]))
 
 
 def check_decoupled(equations: Equations, null: Array, right: Array, left: Array) -> None:

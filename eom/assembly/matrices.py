@@ -148,7 +148,8 @@ def assemble_matrices(system: System, pivots: Pivots, algebra: Algebra = DENSE) 
     reduction = reduce_coordinates(J, Jn, V, pivots, algebra)
     items, loads = elastic_items(system), with_weight(system)
     sums = load_sums(bodies, loads)
-    statics = equilibrium(bodies, items, (J, pivots, reduction), sums, algebra)
+    H = stacked([(item.bodies, item.rows) for item in items], N, algebra)
+    statics = equilibrium(bodies, (items, H), (J, pivots, reduction), sums, algebra)
     M_parts = (
         algebra.build(square, mass_entries(bodies)),
         algebra.build(square, inertance_entries(items)),
@@ -176,7 +177,7 @@ def assemble_matrices(system: System, pivots: Pivots, algebra: Algebra = DENSE) 
         V,
         J,
         Jn,
-        stacked([(item.bodies, item.rows) for item in items], N, algebra),
+        H,
         block_diagonal([item.stiffness for item in items], algebra),
         block_diagonal([item.damping for item in items], algebra),
         connection_stack(system, [item.connection for item in system.slip], algebra),

@@ -13,6 +13,8 @@ from eom.assembly.rows import local_rows
 from eom.assembly.vectors import Array
 from eom.vehicle.elements import Output, System
 
+JUMP_TOLERANCE = 1e-9
+
 
 class RateError(ValueError):
     """An output that would need the rate of an input."""
@@ -46,37 +48,48 @@ def output_signals(system: System, matrices: Matrices, form: FirstOrder) -> Arra
 
     Raises `RateError` for one that would follow an input's rate.
     """
-    rates, q, n = form
+    rates, q, n, _ = form
     T, W, Z = matrices.reduction.T, matrices.reduction.W, matrices.reduction.Z
     states, n_u = len(rates), len(system.inputs)
     names = [item.name for item in system.inputs]
     result = np.zeros((len(system.outputs), rates.shape[1]))
     for k, output in enumerate(system.outputs):
         row = output_row(system, output)
-        size = (np.abs(row) @ np.abs(W)) @ np.abs(n) + (np.abs(row) @ np.abs(Z)) @ np.abs(q)
         if output.quantity == "position":
             signal = (row @ T) @ q
         else:
             # inertial: dp/dt = w - V p
             turning = row @ matrices.V @ T if output.frame == "inertial" else 0.0
             signal = (row @ W) @ n + (row @ Z - turning) @ q
-            refuse_rates(output, names, signal, size)
+            size = (np.abs(row) @ np.abs(W)) @ np.abs(n) + (np.abs(row) @ np.abs(Z)) @ np.abs(q)
+            refuse_rates(output, names, signal[states + n_u :], ROUNDING * size[states + n_u :])
         if output.quantity == "acceleration":
+            limit = jump_limit(form, signal[:states]) + ROUNDING * size[states : states + n_u]
             signal = rate_of(signal[np.newaxis], rates, n_u)[0]
-            size = np.abs(size[:states]) @ np.abs(rates) + np.concatenate(
-                [np.zeros(states + n_u), size[states : states + n_u]]
-            )
-            refuse_rates(output, names, signal, size)
+            refuse_rates(output, names, signal[states + n_u :], limit)
         result[k] = signal
         for name, gain in output.feedthrough:
             result[k, states + names.index(name)] += gain
     return result
 
 
-def refuse_rates(output: Output, names: list[str], signal: Array, size: Array) -> None:
-    """Raise `RateError` if the signal holds an input's rate; *size* is what its columns are sums of."""
-    first = len(signal) - len(names)
-    needed = np.abs(signal[first:]) > ROUNDING * size[first:]
+def jump_limit(form: FirstOrder, velocity: Array) -> Array:
+    """The largest jump of a velocity, per rate of each input, that is rounding: small beside that of the whole.
+
+    Jumps are compared by kinetic energy, which no choice of coordinates changes.
+    """
+    states, moving = len(form.rates), len(form.mass)
+    jump = form.rates[states - moving :, (form.rates.shape[1] + states) // 2 :]
+    if not np.any(jump):
+        return np.zeros(jump.shape[1])
+    own = velocity[states - moving :]
+    energy = np.sum(jump * (form.mass @ jump), axis=0)
+    return np.asarray(JUMP_TOLERANCE * np.sqrt(own @ np.linalg.solve(form.mass, own) * energy))
+
+
+def refuse_rates(output: Output, names: list[str], rates: Array, limit: Array) -> None:
+    """Raise `RateError` if an output follows the rate of an input by more than a limit."""
+    needed = np.abs(rates) > limit
     if np.any(needed):
         raise RateError(output.name, names[int(np.argmax(needed))])
 

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from eom.assembly.algebra import Algebra, stacked
+from eom.assembly.algebra import Algebra, block_diagonal
 from eom.assembly.elastic import Strained, carrying_modes
 from eom.assembly.reduction import ROUNDING, Pivots, Reduction, full
 from eom.assembly.vectors import Array
@@ -60,31 +60,27 @@ def length_scales(bodies: Sequence[Body]) -> Array:
 
 def equilibrium(
     bodies: Sequence[Body],
-    items: Sequence[Strained],
+    elastic: tuple[Sequence[Strained], Array],
     constraints: tuple[Array, Pivots, Reduction],
     loads: tuple[Array, Array],
     algebra: Algebra,
 ) -> Statics:
     """Solve f + J' reactions + H' tensions = 0 for joints and for elastic rows that can carry load.
 
-    *constraints* are J, its pivots and its reduction, *loads* f and the sum of the sizes that it is made of. Where
+    *elastic* are the items and their rows H, *constraints* J, its pivots and its reduction, *loads* f and the sum of
+    the sizes that it is made of. Where
     statics leaves tensions open, the elastic rows share the load as their stiffness demands, from a state without
     preload; what redundant joints leave open then takes the smallest reactions.
     """
-    (J, pivots, reduction), (f, acting) = constraints, loads
-    modes = [carrying_modes(item) for item in items]
-    H = stacked([(item.bodies, item.rows) for item in items], len(f), algebra)
-    carrying = stacked(
-        [(item.bodies, combined.T @ item.rows) for item, (combined, _) in zip(items, modes, strict=True)],
-        len(f),
-        algebra,
-    )
-    k = np.concatenate([np.zeros(0), *(own for _, own in modes)])
+    (items, H), (J, pivots, reduction), (f, acting) = elastic, constraints, loads
+    found = [carrying_modes(item) for item in items]
+    modes = block_diagonal([combined for combined, _ in found], algebra)
+    k = np.concatenate([np.zeros(0), *(own for _, own in found)])
     given = np.concatenate([np.zeros(0), *(np.full(len(item.rows), item.preload or 0.0) for item in items)])
     free = free_motions(reduction, len(k))
     applied = f + H.T @ given
-    shared, determinate, motion = share(without_rounding(carrying, free), k, np.asarray(free.T @ applied))
-    tensions = given + spread(shared, modes)
+    shared, determinate, motion = share(without_rounding(modes.T @ H, free), k, np.asarray(free.T @ applied))
+    tensions = given + modes @ shared
     reactions, indefinite = joint_reactions(J, pivots, reduction, -(f + H.T @ tensions))
     residual = f + J.T @ reactions + H.T @ tensions
     # rounding is measured by what is added up, not by the sum
@@ -108,15 +104,6 @@ def without_rounding(rows: Array, motions: Array) -> Array:
     product = np.asarray(rows @ motions)
     size = np.max(abs(rows) @ np.abs(motions), axis=1, initial=0.0)[:, np.newaxis]
     return np.where(np.abs(product) <= ROUNDING * size, 0.0, product)
-
-
-def spread(shared: Array, modes: Sequence[tuple[Array, Array]]) -> Array:
-    """Tensions of all elastic rows from those of the load-carrying modes."""
-    pieces, at = [np.zeros(0)], 0
-    for combined, own in modes:
-        pieces.append(combined @ shared[at : at + len(own)])
-        at += len(own)
-    return np.concatenate(pieces)
 
 
 def share(H: Array, k: Array, f: Array) -> tuple[Array, bool, Array]:
@@ -158,22 +145,30 @@ def regular(matrix: Array) -> Array:
     return matrix
 
 
+def self_stresses(J: Array, pivots: Pivots, reduction: Reduction) -> Array:
+    """Reactions of the joints against each other, which no load needs, shape (rows, redundancy).
+
+    One for each row that is not among the pivots, where it is 1.
+    """
+    repeated = np.setdiff1d(np.arange(J.shape[0]), list(pivots.rows))
+    null = np.zeros((J.shape[0], len(repeated)))
+    null[repeated, np.arange(len(repeated))] = 1.0
+    if repeated.size and reduction.factor is not None:
+        rows = full(J[repeated][:, list(pivots.dependent)])
+        null[list(pivots.rows)] = -reduction.factor.solve_transposed(rows.T)
+    return null
+
+
 def joint_reactions(J: Array, pivots: Pivots, reduction: Reduction, wanted: Array) -> tuple[Array, NDArray[np.bool_]]:
     """The smallest reactions with J' reactions = *wanted*, and which of them are not unique."""
-    reactions, indefinite = np.zeros(J.shape[0]), np.zeros(J.shape[0], dtype=bool)
-    if reduction.factor is None:
-        return reactions, indefinite
-    kept, dependent = list(pivots.rows), list(pivots.dependent)
-    reactions[kept] = reduction.factor.solve_transposed(wanted[dependent])
-    repeated = np.setdiff1d(np.arange(J.shape[0]), kept)
-    if repeated.size:
-        # stresses of the joints against each other, which no load needs
-        null = np.zeros((J.shape[0], len(repeated)))
-        null[repeated, np.arange(len(repeated))] = 1.0
-        null[kept] = -reduction.factor.solve_transposed(full(J[repeated][:, dependent]).T)
+    reactions = np.zeros(J.shape[0])
+    if reduction.factor is not None:
+        reactions[list(pivots.rows)] = reduction.factor.solve_transposed(wanted[list(pivots.dependent)])
+    null = self_stresses(J, pivots, reduction)
+    if null.shape[1]:
         reactions -= null @ np.linalg.lstsq(null, reactions, rcond=None)[0]
-        indefinite = np.max(np.abs(null), axis=1) > RANK_TOLERANCE * np.max(np.abs(null))
-    return reactions, indefinite
+    largest = np.max(np.abs(null), axis=1, initial=0.0)
+    return reactions, largest > RANK_TOLERANCE * np.max(largest, initial=0.0)
 
 
 def unbalanced(bodies: Sequence[Body], statics: Statics) -> NDArray[np.intp]:

@@ -9,7 +9,9 @@ from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
+from eom.assembly.reduction import PIVOT_TOLERANCE
 from eom.assembly.rows import local_rows
 from eom.assembly.vectors import Array
 from eom.vehicle.elements import GROUND, System
@@ -44,11 +46,20 @@ def spanning_tree(system: System, preference: Array, eliminate: Eliminate) -> Tr
         numbers = [int(starts[k]) + row for k in new for row in range(len(own[k]))]
         blocks = [own[k][:, 6 * joints[k].bodies.index(body) :][:, :6] for k in new]
         if numbers:
-            kept, columns = eliminate(np.vstack(blocks), preference[6 * body : 6 * body + 6])
+            own_rows = np.vstack(blocks)
+            kept, columns = eliminate(own_rows, preference[6 * body : 6 * body + 6])
+            refuse_weak(np.linalg.svd(own_rows[kept][:, columns], compute_uv=False))
             rows += [numbers[k] for k in kept]
             dependent += [6 * body + column for column in columns]
     loops = np.setdiff1d(np.arange(starts[-1]), rows).tolist()
     return Tree(sorted(rows), sorted(dependent), loops)
+
+
+def refuse_weak(sizes: NDArray[np.floating]) -> None:
+    """Raise ``ValueError`` unless the sizes of pivots are all far from zero."""
+    if sizes.size and np.min(sizes) <= PIVOT_TOLERANCE * np.max(sizes):
+        message = "joints all but lock the same motion twice: let one carry less, or move them apart"
+        raise ValueError(message)
 
 
 def walk(system: System, at_body: dict[int, list[int]]) -> list[int]:
@@ -77,16 +88,17 @@ def pivoted_columns(matrix: Array, preference: Array, tolerance: float) -> tuple
     from scipy.linalg import qr  # noqa: PLC0415  slow to import, for many bodies alone
 
     scaled = matrix / np.maximum(np.max(np.abs(matrix), axis=1, initial=0.0), 1e-300)[:, np.newaxis]
-    columns, rank = leading(qr(scaled * preference, mode="r", pivoting=True), tolerance)
+    columns, sizes = leading(qr(scaled * preference, mode="r", pivoting=True))
+    rank = int(np.sum(sizes > tolerance * np.max(sizes, initial=1.0)))
+    refuse_weak(sizes[:rank])
     chosen = columns[:rank]
     if rank == len(matrix):
         return list(range(rank)), sorted(chosen)
-    rows, _ = leading(qr(scaled[:, chosen].T, mode="r", pivoting=True), tolerance)
+    rows, _ = leading(qr(scaled[:, chosen].T, mode="r", pivoting=True))
     return sorted(rows[:rank]), sorted(chosen)
 
 
-def leading(factors: Sequence[Array], tolerance: float) -> tuple[list[int], int]:
-    """Order of the columns and the rank that a pivoted QR found."""
+def leading(factors: Sequence[Array]) -> tuple[list[int], Array]:
+    """Order of the columns that a pivoted QR found, and the sizes of its pivots."""
     R, order = factors
-    size = np.abs(np.diag(R))
-    return [int(k) for k in order], int(np.sum(size > tolerance * max(1.0, float(size[0])))) if size.size else 0
+    return [int(k) for k in order], np.abs(np.diag(R))

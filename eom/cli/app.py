@@ -66,6 +66,29 @@ def modes(
 
 
 @app.command()
+def kinematics(
+    file: File,
+    drive: Annotated[
+        list[str], typer.Option(metavar="NAME=FROM:TO", help="Drive an actuator, e.g. rack=-40mm:40mm; repeat.")
+    ],
+    settings: Set = None,
+    points: Annotated[int, typer.Option(help="Number of values, both ends included.")] = 33,
+    hold: Annotated[
+        list[str] | None, typer.Option(metavar="BODY", help="Keep a body where it is drawn; may be repeated.")
+    ] = None,
+    free: Annotated[
+        list[str] | None, typer.Option(metavar="ACTUATOR", help="Do not lock an actuator; may be repeated.")
+    ] = None,
+    numbers: Annotated[Path | None, typer.Option("--csv", metavar="FILE", help="Write all measures.")] = None,
+    plot: Annotated[Path | None, typer.Option(metavar="FILE", help="Draw the curves, as .png or .svg.")] = None,
+) -> None:
+    """Drive a mechanism through its travel: camber, toe, track, roll centres, sensors."""
+    from eom.cli.kinematics import run_kinematics  # noqa: PLC0415
+
+    run_kinematics(file, settings or [], drive, (hold or [], free or [], points), (numbers, plot))
+
+
+@app.command()
 def schema() -> None:
     """Print the JSON Schema of vehicle files, with which an editor completes and checks them."""
     import json  # noqa: PLC0415

@@ -7,7 +7,7 @@ import numpy as np
 
 from eom.assembly.algebra import DENSE, Algebra
 from eom.assembly.checks import check_system
-from eom.assembly.diagnosis import redundant_joints
+from eom.assembly.diagnosis import near_null, redundant_joints
 from eom.assembly.massless import FirstOrder, IndexAboveOneError, first_order, independent_equations
 from eom.assembly.matrices import DISPLACEMENTS, VELOCITIES, Matrices, assemble_matrices, joint_rows
 from eom.assembly.pivots import MANY_BODIES, choose_coordinates, with_cyclic, with_massless
@@ -215,12 +215,13 @@ def algebra_for(bodies: int) -> Algebra:
 def nearly_redundant(vehicle: Vehicle) -> str:
     """The sentence for joints that all but lock the same motion twice, empty if there are none."""
     system = vehicle.system
-    groups = redundant_joints(system, joint_rows(system)[0], NEARLY)
-    names = "; ".join(dict.fromkeys(" with ".join(group) for group in groups))
+    J, _ = joint_rows(system)
+    # for many joints the search takes minutes
+    names = redundant_joints(system, near_null(J, NEARLY)) if J.size <= SEARCHED else ""
     return names and f"joints all but lock the same motion twice ({names}): let one carry less, or move them apart"
 
 
-NEARLY = 1e-5
+NEARLY, SEARCHED = 1e-5, 4_000_000
 FORCES = (
     "force along x",
     "force along y",

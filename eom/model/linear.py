@@ -129,15 +129,16 @@ def state_names(assembly: Assembly) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """Names and units of the states (q, n)."""
     reduction, pivots = assembly.reduction, assembly.pivots
     at, velocities = state_coordinates(reduction, pivots)
-    names = [assembly.coordinates[k] for k in at]
+    coordinates, rates = assembly.coordinates, assembly.velocities
+    names = [coordinates[k] for k in at]
     if pivots.cyclic:
         basis = cyclic_basis(assembly.system.bodies, reduction, pivots)
         for k in range(len(names)):
             moved = np.flatnonzero(np.abs(basis[k]) > 1e-9)
             if k not in pivots.cyclic and moved.size:
-                lead = assembly.coordinates[at[pivots.cyclic[int(moved[0])]]]
+                lead = coordinates[at[pivots.cyclic[int(moved[0])]]]
                 names[k] += f"_from_{lead.rsplit('.', 1)[0]}"
-    names += [assembly.velocities[k] for k in velocities]
+    names += [rates[k] for k in velocities]
     kinds = [int(k) % 6 < 3 for k in (*at, *velocities)]
     units = [("m" if linear else "rad") + ("" if k < len(at) else "/s") for k, linear in enumerate(kinds)]
     return tuple(names), tuple(units)

@@ -5,7 +5,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from eom.assembly.diagnosis import locked_joints, redundant_joints, redundant_locks
+from eom.assembly.diagnosis import locked_joints, redundant_joints, redundant_locks, some
+from eom.assembly.statics import self_stresses
 from eom.assembly.vectors import Array
 from eom.model.assembly import Assembly
 from eom.model.linear import state_names
@@ -36,12 +37,12 @@ def heading(assembly: Assembly) -> Iterator[str]:
 def counts(assembly: Assembly) -> Iterator[str]:
     """Bodies, constraints with their rank, degrees of freedom, states."""
     pivots, reduction = assembly.pivots, assembly.reduction
-    N, q, n = len(assembly.M), len(reduction.independent), len(reduction.independent_velocities)
+    N, q, n = assembly.M.shape[0], len(reduction.independent), len(reduction.independent_velocities)
     yield f"bodies              {N // 6} ({N} coordinates)"
-    rank, total = len(pivots.rows), len(assembly.J)
+    rank, total = len(pivots.rows), assembly.J.shape[0]
     yield f"constraints         {total}, rank {rank}, {redundancy(assembly, total - rank)}"
-    if len(assembly.Jn):
-        yield f"rolling constraints {len(assembly.Jn)}, rank {len(pivots.rolling_rows)}"
+    if assembly.Jn.shape[0]:
+        yield f"rolling constraints {assembly.Jn.shape[0]}, rank {len(pivots.rolling_rows)}"
     yield f"degrees of freedom  {q}" + (f" ({n} in velocity)" if n != q else "")
     locked = locked_joints(assembly.system, reduction)
     if locked:
@@ -62,16 +63,16 @@ def redundancy(assembly: Assembly, number: int) -> str:
     """Which joints lock the same motion."""
     if number == 0:
         return "none redundant"
-    found = redundant_joints(assembly.system, assembly.J)
-    lines = [f"{number} redundant ({'; '.join(dict.fromkeys(' with '.join(group) for group in found))})"]
-    for group in redundant_locks(assembly.system, assembly.J):
+    null = self_stresses(assembly.J, assembly.pivots, assembly.reduction)
+    lines = [f"{number} redundant ({redundant_joints(assembly.system, null)})"]
+    for group in redundant_locks(assembly.system, null):
         lines.append("locked more than once:")
-        lines += [f"  {lock}" for lock in group]
+        lines += [f"  {lock}" for lock in some(list(map(str, group)))]
     indefinite = assembly.matrices.statics.indefinite
     owners = dict.fromkeys(
         name.split("[")[0] for name, open_ in zip(assembly.constraint_rows, indefinite, strict=True) if open_
     )
-    lines += textwrap.wrap(f"not unique, the smallest are shown: the loads of {', '.join(owners)}", 100)
+    lines += textwrap.wrap(f"not unique, the smallest are shown: the loads of {', '.join(some(list(owners)))}", 100)
     lines.append("let one of them carry less")
     return f"\n{' ' * 20}".join(lines)
 

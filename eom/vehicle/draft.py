@@ -60,6 +60,8 @@ class Draft:
         Name of every body to its number.
     zeros : list
         (expression that must vanish, path, sentence if it does not).
+    radii : dict
+        Name of every connector of type ``tyre`` to the expression of its radius [m], None where it has none.
     """
 
     registry: Registry
@@ -83,6 +85,7 @@ class Draft:
     supports: dict[str, tuple[str, ...]] = field(default_factory=dict)
     couplings: dict[str, tuple[str, str]] = field(default_factory=dict)
     zeros: list[tuple[Expression, Path, str]] = field(default_factory=list)
+    radii: dict[str, float | None] = field(default_factory=dict)
 
     def system(self) -> System:
         """The finished draft."""

@@ -77,6 +77,11 @@ def draft_standing(
             draft.slip.append(Slip(connection, coefficients))
         case TyreConnector():
             tyre = find_tyre(draft, tyres, item.tyre, (*path, "tyre"))
+            draft.radii[name] = (
+                None
+                if item.radius is None
+                else draft.registry.number(item.radius, f"{name}.radius", (*path, "radius"), site.scope)
+            )
             if tyre is not None:
                 draft_tyre(draft, name, (body, item.tyre, tyre), place, item.wheels, path, steered=item.steered)
         case Aero() | Wing() | ControlSurface():

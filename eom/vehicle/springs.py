@@ -26,9 +26,13 @@ Matrix6 = tuple[Six, Six, Six, Six, Six, Six]
 
 
 class FlexPoint(PointConnector):
-    """A bushing: stiffness and damping along its directions of force and of moment."""
+    """A bushing: stiffness and damping along its directions of force and of moment.
+
+    A wheel that stands on it names its ``rolling_axis``.
+    """
 
     type: Literal["flex_point"]
+    rolling_axis: Axis | None = None
     stiffness: Stiffness | None = None
     damping: Damping | None = None
     angular_stiffness: AngularStiffness | None = None

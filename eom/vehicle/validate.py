@@ -12,7 +12,7 @@ from eom.vehicle.description import Description
 from eom.vehicle.expression import shorten
 from eom.vehicle.mirror import other_side
 from eom.vehicle.quantity import describe
-from eom.vehicle.source import MAX_VALUES, Path, Source
+from eom.vehicle.source import Path, Source
 
 COLLECTIONS = ("bodies", "connectors", "loads", "actuators", "sensors", "tyres", "templates", "units", "couplings")
 MAX_ROUNDS = 50
@@ -176,7 +176,7 @@ def meant_at(data: object, path: Path) -> str:
     return meant_key(str(path[-1]), beside)
 
 
-@lru_cache(maxsize=MAX_VALUES)
+@lru_cache(maxsize=2000)
 def meant_key(name: str, beside: frozenset[str]) -> str:
     """The closest key of the parts that share most keys with those *beside* it, empty if none is close."""
     shared = max(len(keys & beside) for keys in vocabulary())

@@ -150,7 +150,9 @@ def sliding(bodies: tuple[Body, ...], item: Connection, *, material: bool) -> li
         arm = each.axes @ np.subtract(place, each.body.centre)
         disc = material and each is one and any(each.body.spin)
         if disc:
-            arm = disc_contact(one, two, item, each.body.spin)
+            # one direction of sliding lies in the plane and does not tell its normal: the road's
+            plane = item._replace(force_axis=(0.0, 0.0, 1.0)) if item.forces == 1 else item
+            arm = disc_contact(one, two, plane, each.body.spin)
         parts.append((each.axes.T @ each.velocity_at(arm, spinning=disc), each.turning))
     (v1, turning1), (v2, turning2) = parts
     if item.forces:
