@@ -8,22 +8,31 @@ from collections.abc import Iterator
 import numpy as np
 
 from eom.assembly.algebra import row_entry
+from eom.assembly.check_elements import (
+    RELATIVE,
+    TINY,
+    Finding,
+    check_beam,
+    check_bushing,
+    check_inertance,
+    check_triangle,
+)
 from eom.assembly.elastic import elastic_items
 from eom.assembly.inertia import trim_velocity
 from eom.assembly.rows import local_rows
 from eom.assembly.vectors import Array
-from eom.vehicle.elements import Beam, Body, Bushing, Connection, Elastic, Slip, System, Triangle
+from eom.vehicle.elements import Body, Connection, Slip, System, Vector
 
-RELATIVE = 1e-9
 # tables round the moments of thin discs
 PUBLISHED = 5e-3
-# axes in a file have some six digits
-PERPENDICULAR = 1e-6
-Finding = tuple[str, str]
+# products of a few numbers beyond this have no value
+HUGE = 1e50
 
 
 def check_system(system: System) -> list[Finding]:
     """Everything that no system may have."""
+    if huge := list(check_size(system)):
+        return huge
     findings = [finding for body in system.bodies for finding in check_body(body)]
     findings += [finding for item in system.slip for finding in check_slip(item)]
     findings += [finding for spring in system.elastic for finding in check_inertance(spring)]
@@ -33,6 +42,28 @@ def check_system(system: System) -> list[Finding]:
     geometry = [finding for connection in connections(system) for finding in check_geometry(connection)]
     findings += dict.fromkeys(geometry)
     return findings or list(check_trim(system))
+
+
+def check_size(system: System) -> Iterator[Finding]:
+    """Numbers that can be computed with."""
+    joining = (system.constraints, system.elastic, system.slip, system.bushings)
+    joined = [(item.connection.name, item) for group in joining for item in group]
+    alone = (system.bodies, system.rolling, system.loads, system.inputs, system.outputs, system.beams, system.triangles)
+    for name, item in (("gravity", system.gravity), *joined, *((item.name, item) for group in alone for item in group)):
+        if (worst := largest(item)) > HUGE:
+            yield name, f"one of its numbers is {worst:.3g} in SI units: that is too large to compute with"
+
+
+def largest(item: object) -> float:
+    """The largest absolute number anywhere inside an element."""
+    if isinstance(item, tuple):
+        return max((largest(part) for part in item), default=0.0)
+    return abs(item) if isinstance(item, float) else 0.0
+
+
+def has_direction(axis: Vector) -> bool:
+    """Whether an axis has a length, small numbers squared."""
+    return float(np.dot(axis, axis)) > 0.0
 
 
 def check_body(body: Body) -> Iterator[Finding]:
@@ -68,61 +99,6 @@ def is_flow(item: Slip) -> bool:
     return item.connection.forces == 3
 
 
-def check_inertance(item: Elastic) -> Iterator[Finding]:
-    """An inerter that is a mass."""
-    if min(item.inertance) < 0.0:
-        yield item.connection.name, f"its inertance is {min(item.inertance):g}: an inertance is not negative"
-
-
-def check_bushing(item: Bushing) -> Iterator[Finding]:
-    """Two perpendicular axes, and matrices that a potential and a rate of loss have."""
-    name, (first, second) = item.connection.name, np.array(item.axes, dtype=float)
-    lengths = float(np.linalg.norm(first)), float(np.linalg.norm(second))
-    if min(lengths) == 0.0:
-        yield name, "one of its axes has no direction: all of its components are zero"
-    elif abs(first @ second) > PERPENDICULAR * lengths[0] * lengths[1]:
-        angle = np.degrees(np.arccos(np.clip(first @ second / (lengths[0] * lengths[1]), -1.0, 1.0)))
-        yield name, f"its two axes make an angle of {angle:.6g} deg: give perpendicular ones"
-    for word, values in (("stiffness", item.stiffness), ("damping", item.damping)):
-        matrix = np.array(values, dtype=float)
-        wrong = np.abs(matrix - matrix.T) > RELATIVE * np.max(np.abs(matrix))
-        if np.any(wrong):
-            r, c = (int(k) for k in np.argwhere(wrong)[0])
-            entries = f"row {r + 1}, column {c + 1} is {matrix[r, c]:g}, row {c + 1}, column {r + 1} {matrix[c, r]:g}"
-            yield name, f"its {word} is not symmetric: {entries}"
-
-
-def check_beam(item: Beam) -> Iterator[Finding]:
-    """A line with a length, a normal across it, a section that resists and weighs something or nothing."""
-    span, normal = np.subtract(item.places[1], item.places[0]), np.array(item.normal, dtype=float)
-    length, size = float(np.linalg.norm(span)), float(np.linalg.norm(normal))
-    if length == 0.0:
-        yield item.name, "its two ends are at the same place: a beam needs a length"
-    elif size == 0.0:
-        yield item.name, "its normal has no direction: all of its components are zero"
-    elif float(np.linalg.norm(np.cross(span, normal))) <= RELATIVE * length * size:
-        yield item.name, "its normal points along the beam: give one across it"
-    for word, value, unit in (
-        ("bending stiffness", min(item.bending), "N m^2"),
-        ("mass per length", item.mass_per_length, "kg/m"),
-    ):
-        if value < 0.0:
-            yield item.name, f"its {word} is {value:g} {unit}: it is not negative"
-
-
-def check_triangle(item: Triangle) -> Iterator[Finding]:
-    """Corners that span a plane, a sheet that is there, a material that exists."""
-    first, second = np.subtract(item.places[1:], item.places[0])
-    size = float(np.linalg.norm(first) * np.linalg.norm(second))
-    if float(np.linalg.norm(np.cross(first, second))) <= RELATIVE * size:
-        yield item.name, "its corners lie on one line: a triangle needs an area"
-    for word, value, unit in (("thickness", item.thickness, "m"), ("modulus", item.modulus, "Pa")):
-        if value <= 0.0:
-            yield item.name, f"its {word} is {value:g} {unit}: it is more than zero"
-    if not -1.0 < item.poisson <= 0.5:
-        yield item.name, f"its Poisson's ratio is {item.poisson:g}: that of a material lies between -1 and 0.5"
-
-
 def check_spin(body: Body, inertia: Array) -> Iterator[Finding]:
     """Only a body that looks the same at every angle about its spin axis moves steadily."""
     spin = np.array(body.spin, dtype=float)
@@ -151,7 +127,7 @@ def connections(system: System) -> Iterator[Connection]:
 def check_geometry(connection: Connection) -> Iterator[Finding]:
     """Axes with a direction, lines with a length."""
     if connection.line:
-        if not np.any(np.subtract(*connection.places)):
+        if np.linalg.norm(np.subtract(*connection.places)) < TINY:
             yield connection.name, "its two ends are at the same place: a line needs a length"
         return
     for count, axis in (
@@ -159,11 +135,17 @@ def check_geometry(connection: Connection) -> Iterator[Finding]:
         (connection.moments, connection.moment_axis),
         (1, connection.rolling_axis or (1.0, 0.0, 0.0)),
     ):
-        if count in {1, 2} and not np.any(axis):
+        if count in {1, 2} and not has_direction(axis):
             yield (
                 connection.name,
                 "its axis has no direction: all of its components are zero, or its ends are at one place",
             )
+
+    rolling, normal = connection.rolling_axis, connection.force_axis
+    if rolling is not None and connection.forces == 1 and has_direction(rolling) and has_direction(normal):
+        across = np.cross(rolling, normal)
+        if np.linalg.norm(across) <= RELATIVE * np.linalg.norm(rolling) * np.linalg.norm(normal):
+            yield connection.name, "its rolling axis points along its force: a wheel turns about an axis across that"
 
 
 def check_trim(system: System) -> Iterator[Finding]:

@@ -16,6 +16,7 @@ import jinja2
 from eom.assembly import (
     algebra,
     beam,
+    check_elements,
     checks,
     cyclic,
     elastic,
@@ -59,6 +60,7 @@ KERNEL = (
     massless,
     cyclic,
     state_space,
+    check_elements,
     checks,
 )
 SECTIONS = ("bodies", "constraints", "rolling", "elastic", "slip", "loads", "inputs", "outputs")

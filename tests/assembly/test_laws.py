@@ -15,11 +15,12 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 from eom.assembly.elastic import elastic_items
-from eom.assembly.rows import rows
+from eom.assembly.rows import row_count, rows
 from eom.assembly.statics import unbalanced
+from eom.assembly.tangent import preload
 from eom.assembly.vectors import directions, skew, unit
 from eom.vehicle.elements import GROUND, Connection, Input, Output, System
-from tests.assembly.random_systems import Recipe, build, recipes
+from tests.assembly.random_systems import KNEES, Recipe, build, recipes
 from tests.assembly.systems import (
     PHASES,
     ZERO,
@@ -318,6 +319,41 @@ def test_the_comparison_would_notice_a_small_change(change: Callable[[float], fl
     other = system._replace(elastic=(system.elastic[0]._replace(stiffness=(change(k), rest)), *system.elastic[1:]))
     with pytest.raises(AssertionError):
         assert_same_dynamics(system, other)
+
+
+@pytest.mark.parametrize("knee", KNEES)
+@pytest.mark.parametrize("link", ["ball", "weld", "hinge"])
+def test_forces_that_reach_a_body_without_mass_only_by_rounding_are_none(link: str, knee: str) -> None:
+    """Otherwise velocities would seem to follow the rate of a force, and springs alone to be dampers."""
+    for seed in range(20):
+        recipe = Recipe((link,), ("spring", "link"), (), False, 0.0, 0, False, seed, knees=(knee, knee))
+        assert np.all(np.isfinite(linear(build(recipe)).model.A))
+
+
+def test_law_4_redundant_joints_share_their_loads_alike_wherever_the_drawing_is() -> None:
+    """The smallest reactions mix N and N m, but count at the joints' own places, which go along with the drawing.
+
+    Only another unit of length, or a joint described elsewhere along its axis, would share the loads otherwise.
+    """
+    system = build(Recipe(("hinge", "weld"), ("again", "again"), ("follower",), False, 0.0, 0, False, 11))
+    rotation = Rotation.from_rotvec([0.3, -1.0, 2.0]).as_matrix()
+    first, second = assembled(system), assembled(moved(system, rotation, np.array([30.0, -20.0, 5.0])))
+    assert np.any(first.statics.indefinite)
+    for item, other, own, turned in zip(
+        system.constraints,
+        moved(system, rotation, np.array([30.0, -20.0, 5.0])).constraints,
+        pieces(system, first.statics.reactions),
+        pieces(system, second.statics.reactions),
+        strict=True,
+    ):
+        for one, two in zip(preload(item.connection, own), preload(other.connection, turned), strict=True):
+            np.testing.assert_allclose(two, rotation @ one, atol=1e-9 * float(np.max(np.abs(first.statics.reactions))))
+
+
+def pieces(system: System, reactions: Array) -> list[Array]:
+    """Reactions joint by joint."""
+    counts = [row_count(item.connection) for item in system.constraints]
+    return np.split(reactions, np.cumsum(counts)[:-1])
 
 
 def test_a_lone_point_mass_in_flight_has_only_zero_roots() -> None:
