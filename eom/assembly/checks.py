@@ -11,22 +11,48 @@ from eom.assembly.algebra import row_entry
 from eom.assembly.elastic import elastic_items
 from eom.assembly.inertia import trim_velocity
 from eom.assembly.rows import local_rows
-from eom.assembly.structure_checks import RELATIVE, Finding, structure_findings
+from eom.assembly.structure_checks import RELATIVE, TINY, Finding, structure_findings
 from eom.assembly.vectors import Array
-from eom.vehicle.elements import Body, Connection, Slip, System
+from eom.vehicle.elements import Body, Connection, Slip, System, Vector
 
 # tables round the moments of thin discs
 PUBLISHED = 5e-3
+# products of a few numbers beyond this have no value
+HUGE = 1e50
 
 
 def check_system(system: System) -> list[Finding]:
     """Everything that no system may have."""
+    if huge := list(check_size(system)):
+        return huge
     findings = [finding for body in system.bodies for finding in check_body(body)]
     findings += [finding for item in system.slip for finding in check_slip(item)]
     findings += structure_findings(system)
     geometry = [finding for connection in connections(system) for finding in check_geometry(connection)]
     findings += dict.fromkeys(geometry)
     return findings or list(check_trim(system))
+
+
+def check_size(system: System) -> Iterator[Finding]:
+    """Numbers that can be computed with."""
+    joining = (system.constraints, system.elastic, system.slip, system.bushings)
+    joined = [(item.connection.name, item) for group in joining for item in group]
+    alone = (system.bodies, system.rolling, system.loads, system.inputs, system.outputs, system.beams, system.triangles)
+    for name, item in (("gravity", system.gravity), *joined, *((item.name, item) for group in alone for item in group)):
+        if (worst := largest(item)) > HUGE:
+            yield name, f"one of its numbers is {worst:.3g} in SI units: that is too large to compute with"
+
+
+def largest(item: object) -> float:
+    """The largest absolute number anywhere inside an element."""
+    if isinstance(item, tuple):
+        return max((largest(part) for part in item), default=0.0)
+    return abs(item) if isinstance(item, float) else 0.0
+
+
+def has_direction(axis: Vector) -> bool:
+    """Whether an axis has a length, small numbers squared."""
+    return float(np.dot(axis, axis)) > 0.0
 
 
 def check_body(body: Body) -> Iterator[Finding]:
@@ -85,7 +111,7 @@ def connections(system: System) -> Iterator[Connection]:
 def check_geometry(connection: Connection) -> Iterator[Finding]:
     """Axes with a direction, lines with a length."""
     if connection.line:
-        if not np.any(np.subtract(*connection.places)):
+        if np.linalg.norm(np.subtract(*connection.places)) < TINY:
             yield connection.name, "its two ends are at the same place: a line needs a length"
         return
     for count, axis in (
@@ -93,11 +119,17 @@ def check_geometry(connection: Connection) -> Iterator[Finding]:
         (connection.moments, connection.moment_axis),
         (1, connection.rolling_axis or (1.0, 0.0, 0.0)),
     ):
-        if count in {1, 2} and not np.any(axis):
+        if count in {1, 2} and not has_direction(axis):
             yield (
                 connection.name,
                 "its axis has no direction: all of its components are zero, or its ends are at one place",
             )
+
+    rolling, normal = connection.rolling_axis, connection.force_axis
+    if rolling is not None and connection.forces == 1 and has_direction(rolling) and has_direction(normal):
+        across = np.cross(rolling, normal)
+        if np.linalg.norm(across) <= RELATIVE * np.linalg.norm(rolling) * np.linalg.norm(normal):
+            yield connection.name, "its rolling axis points along its force: a wheel turns about an axis across that"
 
 
 def check_trim(system: System) -> Iterator[Finding]:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from eom.assembly.matrices import Matrices
-from eom.assembly.reduction import Pivots
+from eom.assembly.reduction import ROUNDING, Pivots
 from eom.assembly.vectors import Array
 
 INDEX_TOLERANCE = 1e-12
@@ -54,7 +54,7 @@ def independent_equations(matrices: Matrices) -> Equations:
     if np.any(Z):
         MZ = M @ Z
         on_q, on_n = on_q + MZ @ Qq + C @ Z, on_n + MZ @ Qn
-    F, G = W.T @ matrices.F, W.T @ matrices.G
+    F, G = along(W, matrices.F), along(W, matrices.G)
     return Equations(Qq, Qn, W.T @ (M @ W), projected(W, on_n), projected(W, on_q), F, G)
 
 
@@ -63,8 +63,8 @@ def projected(W: Array, forces: Array) -> Array:
     return W.T @ forces if np.any(forces) else np.zeros((W.shape[1], forces.shape[1]))
 
 
-def null_basis(A: Array, dependent: list[int]) -> Array:
-    """Null vectors of a square matrix, an identity on the *dependent* rows.
+def null_basis(A: Array, dependent: list[int], terms: float = 0.0) -> Array:
+    """Null vectors of a square matrix, made of *terms* of that size or its own, an identity on the *dependent* rows.
 
     Raises ``ValueError`` if they are none.
     """
@@ -73,7 +73,7 @@ def null_basis(A: Array, dependent: list[int]) -> Array:
     N[dependent, np.arange(len(dependent))] = 1.0
     if dependent and kept.size:
         N[kept] = -np.linalg.solve(A[kept][:, kept], A[kept][:, dependent])
-    size = np.max(np.abs(A), initial=0.0) * np.max(np.abs(N), initial=0.0)
+    size = max(np.max(np.abs(A), initial=0.0), terms) * np.max(np.abs(N), initial=0.0)
     if np.any(np.abs(A @ N) > MASS_TOLERANCE * size):
         message = "a motion that had no mass or no damping now has: choose the coordinates anew"
         raise ValueError(message)
@@ -104,7 +104,9 @@ def first_order(equations: Equations, pivots: Pivots) -> FirstOrder:
     null = null_basis(equations.M, massless)
     damping = null.T @ equations.C @ null
     first, last = list(range(len(pivots.damped))), list(range(len(pivots.damped), len(massless)))
-    right, left = null_basis(damping, last), null_basis(damping.T, last)
+    # where nothing is damped, damping is but rounding
+    terms = float(np.max(np.abs(equations.C), initial=0.0) * np.max(np.abs(null)) ** 2)
+    right, left = null_basis(damping, last, terms), null_basis(damping.T, last, terms)
     path = equations.Qn @ null @ right
     path_inverse = np.linalg.inv(path[followed])
     stretch = path @ path_inverse
@@ -112,12 +114,12 @@ def first_order(equations: Equations, pivots: Pivots) -> FirstOrder:
     if followed:
         stiffness = left.T @ null.T @ equations.K
         check_regular(stiffness @ stretch, stiffness, massless[len(first) :])
-        q += stretch @ np.linalg.solve(stiffness @ stretch, left.T @ null.T @ force - stiffness @ q)
+        q += stretch @ np.linalg.solve(stiffness @ stretch, along(null @ left, force) - stiffness @ q)
     if first:
         own = null[:, first]
         damper = damping[np.ix_(first, first)]
         check_regular(damper, damping, massless[: len(first)])
-        n = n + own @ np.linalg.solve(damper, own.T @ (force - equations.K @ q - equations.C @ n))
+        n = n + own @ np.linalg.solve(damper, along(own, force) - own.T @ (equations.K @ q + equations.C @ n))
     drift = equations.Qq @ q + equations.Qn @ n
     rates_q = drift[kept_q] - stretch[kept_q] @ drift[followed]
     rates_n = dynamics(equations, q, n, force, kept)
@@ -126,6 +128,13 @@ def first_order(equations: Equations, pivots: Pivots) -> FirstOrder:
         moved = rate_of(q, rates, n_u)[followed] - drift[followed]
         n = n + null @ right @ path_inverse @ moved
     return FirstOrder(rates, q, n, equations.M[np.ix_(kept, kept)])
+
+
+def along(motions: Array, force: Array) -> Array:
+    """Forces along motions, exactly zero where they are rounding: a rate of it would pass for an input's."""
+    product = motions.T @ force
+    size = np.outer(np.max(np.abs(motions), axis=0), np.max(np.abs(force), axis=0, initial=0.0))
+    return np.where(np.abs(product) <= ROUNDING * size, 0.0, product)
 
 
 def dynamics(equations: Equations, q: Array, n: Array, force: Array, kept: Array) -> Array:

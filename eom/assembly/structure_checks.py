@@ -9,6 +9,8 @@ from eom.vehicle.elements import Beam, Bushing, Elastic, Slip, System, Triangle
 RELATIVE = 1e-9
 # axes in a file have some six digits
 PERPENDICULAR = 1e-6
+# a line below this has no direction [m]
+TINY = 1e-9
 Finding = tuple[str, str]
 
 
@@ -49,7 +51,7 @@ def check_beam(item: Beam) -> Iterator[Finding]:
     """A line with a length, a normal across it, a section that resists and weighs something or nothing."""
     span, normal = np.subtract(item.places[1], item.places[0]), np.array(item.normal, dtype=float)
     length, size = float(np.linalg.norm(span)), float(np.linalg.norm(normal))
-    if length == 0.0:
+    if length < TINY:
         yield item.name, "its two ends are at the same place: a beam needs a length"
     elif size == 0.0:
         yield item.name, "its normal has no direction: all of its components are zero"

@@ -211,6 +211,8 @@ def assemble(vehicle: Vehicle) -> Assembly:
             "inertia, or hold it by a spring or damper of its own"
         )
         raise SingularError(str(vehicle.mistake(body, what))) from None
+    except ValueError as error:
+        raise SingularError(f"{vehicle.file}: {error}: its masses or dampers differ too much in size") from None
     return Assembly(vehicle, matrices, with_cyclic(system, matrices.reduction, form, pivots), form)
 
 

@@ -170,7 +170,8 @@ def convert(node: ast.expr, text: str) -> Expression:
 
 
 def shorten(text: str) -> str:
-    """Text cut to what a message can show."""
+    """Text cut to what a message can show, on one line."""
+    text = " ".join(text.split())
     return text if len(text) <= 60 else text[:57] + "..."
 
 

@@ -12,6 +12,7 @@ from eom.assembly.vectors import unit
 from eom.vehicle.elements import (
     GROUND,
     Body,
+    Bushing,
     Connection,
     Constraint,
     Elastic,
@@ -22,7 +23,31 @@ from eom.vehicle.elements import (
     System,
     Vector,
 )
-from tests.assembly.systems import EMPTY, ZERO, Array, assembled, body, line, measure, point, push, tensor, turn, vector
+from tests.assembly.random_elements import (
+    SINGLE_SPRINGS,
+    again,
+    beam,
+    flow,
+    full_bushing,
+    held,
+    membrane,
+    single_spring,
+    with_knee,
+)
+from tests.assembly.systems import (
+    EMPTY,
+    ZERO,
+    Array,
+    assembled,
+    body,
+    line,
+    measure,
+    point,
+    push,
+    tensor,
+    turn,
+    vector,
+)
 
 JOINTS = {
     "ball": (3, 0),
@@ -38,7 +63,24 @@ JOINTS = {
 }
 """Numbers of locked forces and moments."""
 LINKS = (*JOINTS, "bushing", "support", "none")
-EXTRAS = ("spring", "bushing", "support", "link", "to ground", "held by ground", "contact")
+EXTRAS = (
+    "spring",
+    "inerter",
+    "given preload",
+    "torsion",
+    "bushing",
+    "full bushing",
+    "support",
+    "link",
+    "to ground",
+    "held by ground",
+    "contact",
+    "again",
+)
+STRUCTURES = ("beam", "heavy beam", "membrane", "drilled membrane")
+"""What carries loads without a tangent stiffness of its own."""
+KNEES = ("spring", "damper", "spring and damper", "spring to damper")
+"""What holds a body without mass that slides on another."""
 
 
 class Recipe(NamedTuple):
@@ -60,6 +102,16 @@ class Recipe(NamedTuple):
         Number of slip elements.
     wheel : bool
         Whether a wheel rolls along, spinning; needs a speed.
+    structures : tuple of str
+        Beams and membranes, see `STRUCTURES`.
+    knees : tuple of str
+        Bodies without mass, see `KNEES`.
+    flow : bool
+        Whether air, with its mass, acts on a body in all directions.
+    held : bool
+        Whether a joint holds the speed of a body.
+    weightless : bool
+        Whether nothing is loaded.
     seed : int
         Of all numbers.
     """
@@ -72,20 +124,36 @@ class Recipe(NamedTuple):
     tyres: int
     wheel: bool
     seed: int
+    structures: tuple[str, ...] = ()
+    knees: tuple[str, ...] = ()
+    flow: bool = False
+    held: bool = False
+    weightless: bool = False
 
 
 @st.composite
-def recipes(draw: st.DrawFn, *, conservative: bool = False, sliding: bool = True) -> Recipe:
-    """Any recipe; ``conservative`` ones are at rest without dampers, ``sliding`` ones may have tyres and wheels."""
+def recipes(draw: st.DrawFn, *, conservative: bool = False, sliding: bool = True, massless: bool = True) -> Recipe:
+    """Any recipe; ``conservative`` ones are at rest without dampers, ``sliding`` ones may have tyres, wheels and air.
+
+    Beams and membranes are linear elements, whose forces have a potential only from a state without load.
+    """
     links = tuple(draw(st.lists(st.sampled_from(LINKS), min_size=1, max_size=3)))
     extras = tuple(draw(st.lists(st.sampled_from(EXTRAS), max_size=4)))
+    structures = tuple(draw(st.lists(st.sampled_from(STRUCTURES), max_size=2)))
+    weightless = conservative and bool(structures)
+    if weightless:
+        extras = tuple(kind for kind in extras if kind != "given preload")
     kinds = ["dead"] if conservative else ["dead", "follower", "other"]
-    loads = tuple(draw(st.lists(st.sampled_from(kinds), max_size=3)))
+    loads = () if weightless else tuple(draw(st.lists(st.sampled_from(kinds), max_size=3)))
     damped = not conservative and draw(st.booleans())
     speed = 0.0 if conservative else draw(st.sampled_from((0.0, 3.0)))
     tyres = draw(st.integers(0, 2)) if sliding and speed else 0
-    wheel = bool(sliding and speed and draw(st.booleans()))
-    return Recipe(links, extras, loads, damped, speed, tyres, wheel, draw(st.integers(0, 100_000)))
+    wheel, held = (bool(sliding and speed and draw(st.booleans())) for _ in range(2))
+    air = bool(sliding and not conservative and draw(st.booleans()))
+    holds = KNEES[:1] if conservative else KNEES
+    knees = tuple(draw(st.lists(st.sampled_from(holds), max_size=2))) if massless else ()
+    seed = draw(st.integers(0, 100_000))
+    return Recipe(links, extras, loads, damped, speed, tyres, wheel, seed, structures, knees, air, held, weightless)
 
 
 class Maker:
@@ -119,6 +187,10 @@ class Maker:
             return int(first), int(second)
         return k, int(self.numbers.integers(k))
 
+    def last(self) -> int:
+        """The body described last."""
+        return len(self.bodies) - 1
+
     def across(self) -> Array:
         """A random direction along which nothing moves at the trim."""
         return unit(np.cross(self.axis(), self.heading)) if self.recipe.speed else self.axis()
@@ -132,7 +204,7 @@ class Maker:
         """A spring, with a damper if the recipe says so."""
         return Elastic(connection, *self.coefficients())
 
-    def connect(self, kind: str, ends: tuple[int, int]) -> Constraint | Elastic | None:
+    def connect(self, kind: str, ends: tuple[int, int]) -> Constraint | Elastic | Bushing | None:
         """A joint or an elastic connection between two bodies."""
         if kind == "none":
             return None
@@ -145,14 +217,16 @@ class Maker:
             return self.elastic(point(ends, place, max(forces, 1), moments, axis, name=kind))
         return self.elastic(point(ends, place, 1, 2, axis, name=kind)._replace(upright=axis))
 
-    def addition(self, kind: str) -> Constraint | Elastic | None:
+    def addition(self, kind: str) -> Constraint | Elastic | Bushing | None:
         """A connection beyond the tree."""
         first, second = self.ends()
         across, place = vector(self.across()), self.place()
-        if kind in {"spring", "link"}:
-            # the far end is no random place: lines shorter than 1 m make stiff preloads
-            rod = line((first, second), place, vector(np.array(place) + 1.5 * self.axis()), name=kind)
-            return self.elastic(rod) if kind == "spring" else Constraint(rod)
+        if kind in SINGLE_SPRINGS:
+            return single_spring(self, kind, (first, second))
+        if kind == "full bushing":
+            return full_bushing(self, (first, second))
+        if kind == "link":
+            return Constraint(line((first, second), place, vector(np.array(place) + 1.5 * self.axis()), name=kind))
         # a joint to the ground may hold what a wheel would have to roll along
         if kind == "to ground" or (kind == "held by ground" and self.recipe.wheel):
             return self.elastic(point((first, GROUND), place, 1, 1, across, name=kind))
@@ -247,16 +321,25 @@ def build(recipe: Recipe) -> System:
     """The system of a recipe, in equilibrium."""
     make = Maker(recipe)
     found = [make.connect(kind, make.ends(k + 1)) for k, kind in enumerate(recipe.links)]
-    found += [make.addition(kind) for kind in recipe.extras]
+    for kind in recipe.extras:
+        joints = [item for item in found if isinstance(item, Constraint)]
+        found.append(again(make, joints) if kind == "again" else make.addition(kind))
     inputs, outputs = make.channels()
+    sheets = [membrane(make, kind) for kind in recipe.structures if "membrane" in kind]
+    constraints = [item for item in found if isinstance(item, Constraint)] + [held(make)] * recipe.held
     system = EMPTY._replace(
         bodies=tuple(make.bodies),
-        gravity=vector(9.81 * make.axis()),
-        constraints=tuple(item for item in found if isinstance(item, Constraint)),
+        gravity=ZERO if recipe.weightless else vector(9.81 * make.axis()),
+        constraints=tuple(constraints),
         elastic=tuple(item for item in found if isinstance(item, Elastic)),
-        slip=tuple(make.tyre(k) for k in range(recipe.tyres)),
+        slip=tuple(make.tyre(k) for k in range(recipe.tyres)) + ((flow(make),) if recipe.flow else ()),
         loads=tuple(make.load(kind) for kind in recipe.loads),
         inputs=inputs,
         outputs=outputs,
+        bushings=tuple(item for item in found if isinstance(item, Bushing)),
+        beams=tuple(beam(make, kind) for kind in recipe.structures if "beam" in kind),
+        triangles=tuple(item for item in sheets if item is not None),
     )
+    for kind in recipe.knees:
+        system = with_knee(make, system, kind)
     return in_equilibrium(make.wheel(system) if recipe.wheel else system)

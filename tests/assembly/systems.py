@@ -16,7 +16,9 @@ from eom.assembly.state_space import StateSpace, state_space
 from eom.assembly.tangent import tangent_entries
 from eom.vehicle.elements import (
     GROUND,
+    Beam,
     Body,
+    Bushing,
     Connection,
     Elastic,
     Input,
@@ -25,6 +27,7 @@ from eom.vehicle.elements import (
     Output,
     Slip,
     System,
+    Triangle,
     Vector,
 )
 
@@ -93,6 +96,11 @@ def vector(values: Sequence[float] | Array) -> Vector:
 def tensor(values: Array) -> Matrix3:
     """A matrix (3, 3) as the plain tuples that bodies hold."""
     return (vector(values[0]), vector(values[1]), vector(values[2]))
+
+
+def matrix(values: Array) -> tuple[tuple[float, ...], ...]:
+    """A matrix of any shape as the plain tuples that elements hold."""
+    return tuple(tuple(float(value) for value in row) for row in values)
 
 
 def diagonal(xx: float, yy: float, zz: float) -> Matrix3:
@@ -176,58 +184,107 @@ def characteristic(A: Array, s: complex) -> complex:
     return complex(np.linalg.det(s * np.eye(len(A)) - A))
 
 
+class Movement(NamedTuple):
+    """Turns by an orthogonal matrix, then shifts."""
+
+    rotation: Array
+    shift: Array
+
+    def hand(self) -> float:
+        """Minus one for a reflection, else one."""
+        return float(np.sign(np.linalg.det(self.rotation)))
+
+    def place(self, a: Vector) -> Vector:
+        """A place."""
+        return vector(self.rotation @ np.array(a) + self.shift)
+
+    def polar(self, a: Vector) -> Vector:
+        """A direction."""
+        return vector(self.rotation @ np.array(a))
+
+    def axial(self, a: Vector) -> Vector:
+        """An axis of rotation."""
+        return vector(self.hand() * self.rotation @ np.array(a))
+
+    def moved_body(self, item: Body) -> Body:
+        """A body."""
+        return item._replace(
+            centre=self.place(item.centre),
+            inertia=tensor(self.rotation @ np.array(item.inertia) @ self.rotation.T),
+            velocity=self.polar(item.velocity),
+            spin=self.axial(item.spin),
+        )
+
+    def moved_connection(self, item: Connection) -> Connection:
+        """A connection."""
+        first, second = item.places
+        return item._replace(
+            places=(self.place(first), self.place(second)),
+            force_axis=self.polar(item.force_axis),
+            moment_axis=self.axial(item.moment_axis),
+            rolling_axis=None if item.rolling_axis is None else self.axial(item.rolling_axis),
+            upright=None if item.upright is None else self.polar(item.upright),
+        )
+
+    def moved_load(self, item: Load) -> Load:
+        """A load."""
+        return item._replace(place=self.place(item.place), force=self.polar(item.force), moment=self.axial(item.moment))
+
+    def moved_output(self, item: Output) -> Output:
+        """An output."""
+        return item._replace(terms=tuple((weight, self.moved_connection(term)) for weight, term in item.terms))
+
+    def moved_slip(self, item: Slip) -> Slip:
+        """A slip element; matrices over all directions refer to inertial axes."""
+        camber_axis = self.axial(item.camber_axis)
+        result = item._replace(connection=self.moved_connection(item.connection), camber_axis=camber_axis)
+        if item.connection.moments != 3:
+            return result
+        # the mirror image keeps its matrices only in directions that are mirrored too
+        six = np.kron(np.diag([1.0, self.hand()]), self.rotation)
+        matrices = (item.coefficients, item.added_mass)
+        turned = (matrix(six @ np.array(values) @ six.T) if values else () for values in matrices)
+        return Slip(result.connection, *turned)
+
+    def moved_bushing(self, item: Bushing) -> Bushing:
+        """A bushing, whose matrices refer to two stated axes and a third that stays right-handed."""
+        first, second = item.axes
+        hand = self.hand()
+        six = np.diag([1.0, 1.0, hand, hand, hand, 1.0])
+        stiffness, damping = (matrix(six @ np.array(values) @ six) for values in (item.stiffness, item.damping))
+        return Bushing(
+            self.moved_connection(item.connection), (self.polar(first), self.polar(second)), stiffness, damping
+        )
+
+    def moved_beam(self, item: Beam) -> Beam:
+        """A beam."""
+        first, second = item.places
+        return item._replace(places=(self.place(first), self.place(second)), normal=self.polar(item.normal))
+
+    def moved_triangle(self, item: Triangle) -> Triangle:
+        """A membrane."""
+        a, b, c = item.places
+        return item._replace(places=(self.place(a), self.place(b), self.place(c)))
+
+
 def moved(system: System, rotation: Array, shift: Array) -> System:
     """The whole drawing turned by an orthogonal matrix, then shifted: everything in it goes along.
 
     With a reflection (determinant -1) axes of rotation, moments and spins, being axial vectors, turn round once
     more: the mirror image of a wheel that rolls forward rolls forward.
     """
-    hand = float(np.sign(np.linalg.det(rotation)))
-
-    def place(a: Vector) -> Vector:
-        return vector(rotation @ np.array(a) + shift)
-
-    def polar(a: Vector) -> Vector:
-        return vector(rotation @ np.array(a))
-
-    def axial(a: Vector) -> Vector:
-        return vector(hand * rotation @ np.array(a))
-
-    def moved_body(item: Body) -> Body:
-        return item._replace(
-            centre=place(item.centre),
-            inertia=tensor(rotation @ np.array(item.inertia) @ rotation.T),
-            velocity=polar(item.velocity),
-            spin=axial(item.spin),
-        )
-
-    def moved_connection(item: Connection) -> Connection:
-        first, second = item.places
-        return item._replace(
-            places=(place(first), place(second)),
-            force_axis=polar(item.force_axis),
-            moment_axis=axial(item.moment_axis),
-            rolling_axis=None if item.rolling_axis is None else axial(item.rolling_axis),
-            upright=None if item.upright is None else polar(item.upright),
-        )
-
-    def moved_load(item: Load) -> Load:
-        return item._replace(place=place(item.place), force=polar(item.force), moment=axial(item.moment))
-
-    def moved_slip(item: Slip) -> Slip:
-        return item._replace(connection=moved_connection(item.connection), camber_axis=axial(item.camber_axis))
-
-    def moved_output(item: Output) -> Output:
-        return item._replace(terms=tuple((weight, moved_connection(term)) for weight, term in item.terms))
-
+    go = Movement(rotation, shift)
     return System(
-        tuple(moved_body(item) for item in system.bodies),
-        polar(system.gravity),
-        tuple(item._replace(connection=moved_connection(item.connection)) for item in system.constraints),
-        tuple(moved_connection(item) for item in system.rolling),
-        tuple(item._replace(connection=moved_connection(item.connection)) for item in system.elastic),
-        tuple(moved_slip(item) for item in system.slip),
-        tuple(moved_load(item) for item in system.loads),
-        tuple(item._replace(connection=moved_connection(item.connection)) for item in system.inputs),
-        tuple(moved_output(item) for item in system.outputs),
+        tuple(go.moved_body(item) for item in system.bodies),
+        go.polar(system.gravity),
+        tuple(item._replace(connection=go.moved_connection(item.connection)) for item in system.constraints),
+        tuple(go.moved_connection(item) for item in system.rolling),
+        tuple(item._replace(connection=go.moved_connection(item.connection)) for item in system.elastic),
+        tuple(go.moved_slip(item) for item in system.slip),
+        tuple(go.moved_load(item) for item in system.loads),
+        tuple(item._replace(connection=go.moved_connection(item.connection)) for item in system.inputs),
+        tuple(go.moved_output(item) for item in system.outputs),
+        tuple(go.moved_bushing(item) for item in system.bushings),
+        tuple(go.moved_beam(item) for item in system.beams),
+        tuple(go.moved_triangle(item) for item in system.triangles),
     )

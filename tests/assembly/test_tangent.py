@@ -23,8 +23,8 @@ from eom.assembly.algebra import dense
 from eom.assembly.loads import load_stiffness, load_sums
 from eom.assembly.rows import rows
 from eom.assembly.vectors import skew, unit
-from eom.vehicle.elements import GROUND, Connection, Load
-from tests.assembly.systems import PHASES, Array, X, Y, Z, body, tangent_stiffness, vector
+from eom.vehicle.elements import GROUND, Bushing, Connection, Load
+from tests.assembly.systems import EMPTY, PHASES, Array, X, Y, Z, assembled, body, matrix, tangent_stiffness, vector
 
 TOLERANCE, NESTED_TOLERANCE = 1e-8, 1e-7
 STEP, NESTED_STEP = 5e-4, 4e-3
@@ -346,6 +346,52 @@ def test_reactions_count_along_the_directions_that_the_rows_measure(
     whole = Connection("all", (0, 1), (place, place), 3, Z, 3, Z)
     found = tangent_stiffness(bodies, [some], [reactions])
     np.testing.assert_allclose(found, tangent_stiffness(bodies, [whole], [resultant]), rtol=0.0, atol=1e-13)
+
+
+@examples
+@given(places, places, places, axes, st.floats(-5.0, 5.0))
+def test_moment_of_a_torsion_spring_turns_half_with_each_body_wherever_its_ends_are(
+    first: tuple[float, float, float],
+    second: tuple[float, float, float],
+    start: tuple[float, float, float],
+    span: tuple[float, float, float],
+    moment: float,
+) -> None:
+    centres = two(first, second)
+    connection = Connection("torsion", (0, 1), (start, vector(np.add(start, span))), moments=1, moment_axis=span)
+    law = point_law(centres, np.array(start), np.zeros(3), moment * unit(span))
+    found = stiffness(connection, centres, np.array([moment]))
+    np.testing.assert_allclose(found, -derivative(law), rtol=0.0, atol=TOLERANCE)
+
+
+@examples
+@given(places, places, axes, axes, forces, forces)
+def test_a_full_bushing_between_opposite_loads_turns_them_as_a_point_does(
+    centre: tuple[float, float, float],
+    place: tuple[float, float, float],
+    one: tuple[float, float, float],
+    two_: tuple[float, float, float],
+    f: tuple[float, float, float],
+    m: tuple[float, float, float],
+) -> None:
+    """Whatever its matrices and their axes are: it carries what the loads leave, as action and reaction."""
+    across = np.cross(one, two_)
+    assume(float(np.linalg.norm(across)) > 0.1)
+    centres = two(centre, (0.4, -1.0, 0.3))
+    root = np.random.default_rng(0).normal(size=(6, 6))
+    values = matrix(root @ root.T + np.eye(6))
+    bushing = Bushing(
+        Connection("bushing", (0, 1), (place, place), 3, moments=3), (one, vector(across)), values, matrix(0.0 * root)
+    )
+    opposite = (-np.array(f), -np.array(m))
+    system = EMPTY._replace(
+        bodies=(body("first", vector(centres[0])), body("second", vector(centres[1]))),
+        loads=(Load("on first", 0, place, f, m), Load("on second", 1, place, vector(opposite[0]), vector(opposite[1]))),
+        bushings=(bushing,),
+    )
+    law = point_law(centres, np.array(place), *opposite)
+    # statics solves for the six loads to rounding times the condition of the matrix, 1e2
+    np.testing.assert_allclose(assembled(system).K_tangent, -derivative(law), rtol=0.0, atol=TOLERANCE)
 
 
 # --- loads ---------------------------------------------------------------------------------------------------
