@@ -85,11 +85,13 @@ def plan(
     mistakes += rolling_contacts(vehicle, {bodies[name] for name in hold if name in bodies})
     if mistakes:
         raise MechanismError("\n".join(f"{vehicle.file}: {what}" for what in mistakes))
-    held = frozenset(bodies[name] for name in hold)
+    # the patch of a tyre lies on the road and takes no part in what its wheel does
+    patches = frozenset(vehicle.draft.patches)
+    held = frozenset(bodies[name] for name in hold) | patches
     still = {GROUND, *held}
     joints = [item.connection for item in vehicle.system.constraints if not item.moving]
     locked = [known[name] for name in of_file if name not in drive and name not in free]
-    closed = [item for item in (*joints, *locked) if not set(item.bodies) <= still]
+    closed = [item for item in (*joints, *locked) if not (set(item.bodies) <= still or set(item.bodies) & patches)]
     mechanism = Mechanism(vehicle.system.bodies, closed, [known[name] for name in drive], held)
     units = tuple("m" if known[name].forces else "rad" for name in drive)
     return Drives(mechanism, tuple(drive), units, np.linspace(ranges[:, 0], ranges[:, 1], points))
@@ -133,16 +135,13 @@ def wheels(vehicle: Vehicle, held: frozenset[int]) -> list[Wheel]:
     """The tyre connectors on bodies that are not held; `DescriptionError` where one lacks its radius."""
     places = {item.connection.name: item.connection for item in vehicle.system.slip}
     result, mistakes = [], []
-    for name, expression in vehicle.draft.radii.items():
-        body = places[name].bodies[0]
+    for name, (body, expression) in vehicle.draft.wheels.items():
         if body in held:
             continue
         radius = 0.0 if expression is None else evaluate(expression, vehicle.values)  # type: ignore[arg-type]
         contact = np.asarray(places[name].places[0], dtype=float)
         if expression is None:
             mistakes.append(vehicle.mistake(name, "needs 'radius' [m]: the sweep looks for the wheel's centre"))
-        elif not radius > 0.0:
-            mistakes.append(vehicle.mistake(name, f"its radius is {radius:g} m: a wheel has a positive one"))
         result.append(Wheel(name, body, contact, radius, 1.0 if contact[1] >= 0.0 else -1.0))
     if mistakes:
         raise DescriptionError(mistakes)

@@ -144,6 +144,7 @@ def check_trim(system: System) -> Iterator[Finding]:
     for kind, items in (
         ("joint", measured([*joints, *system.rolling])),
         ("spring or damper", [(item.name, item.bodies, item.rows) for item in elastic_items(system)]),
+        ("beam", measured([Connection(item.name, item.bodies, item.places, 1, line=True) for item in system.beams])),
         ("tyre or slip damper", measured([item.connection for item in system.slip if not item.moving])),
     ):
         for name, bodies, own in items:

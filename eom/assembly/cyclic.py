@@ -58,7 +58,7 @@ def cyclic_basis(bodies: Sequence[Body], reduction: Reduction, pivots: Pivots) -
 
 def is_negligible(change: Array, A: Array, basis: Array) -> bool:
     """Whether *change*, made of A times *basis*, is zero but for rounding, judged by the rows' largest entries."""
-    size = np.outer(np.max(np.abs(A), axis=1), np.max(np.abs(basis), axis=0))
+    size = np.outer(np.max(np.abs(A), axis=1, initial=0.0), np.max(np.abs(basis), axis=0, initial=0.0))
     return bool(np.all(np.abs(change) <= CYCLIC_TOLERANCE * size))
 
 

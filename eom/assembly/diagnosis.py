@@ -99,9 +99,11 @@ def locked_joints(system: System, reduction: Reduction) -> list[str]:
     """Joints that leave their bodies some relative motion of which the loops they belong to leave none."""
     found = []
     limit = ROUNDING * max(1.0, float(np.max(np.abs(reduction.T), initial=0.0)))
+    # what holds a speed is no loop
+    towed = {body for item in system.constraints if item.moving for body in item.connection.bodies}
     for item in system.constraints:
         joint = item.connection
-        if joint.line or not joint.forces or row_count(joint) >= 6:
+        if joint.line or not joint.forces or row_count(joint) >= 6 or set(joint.bodies) <= towed:
             continue
         every = local_rows(system.bodies, joint._replace(forces=3, moments=3))
         motion = np.zeros((6, reduction.T.shape[1]))

@@ -114,7 +114,7 @@ def first_order(equations: Equations, pivots: Pivots) -> FirstOrder:
     if followed:
         stiffness = left.T @ null.T @ equations.K
         check_regular(stiffness @ stretch, stiffness, massless[len(first) :])
-        q += stretch @ np.linalg.solve(stiffness @ stretch, along(null @ left, force) - stiffness @ q)
+        q += stretch @ np.linalg.solve(stiffness @ stretch, along(null @ left, force - equations.C @ n) - stiffness @ q)
     if first:
         own = null[:, first]
         damper = damping[np.ix_(first, first)]
@@ -148,7 +148,6 @@ def check_decoupled(equations: Equations, null: Array, right: Array, left: Array
     static = null @ right
     for coupling, size in (
         (equations.C @ static, equations.C),
-        ((left.T @ null.T @ equations.C).T, equations.C),
         ((left.T @ null.T @ equations.G).T, equations.G),
     ):
         worst = np.max(np.abs(coupling), axis=0, initial=0.0)

@@ -156,6 +156,8 @@ def cyclic_motions(system: System, reduction: Reduction, form: FirstOrder, pivot
     """Rigid motions of the whole, and spins of bodies, that are possible and change no force and no velocity."""
     A = form.rates[:, : len(form.rates)]
     at, _ = state_coordinates(reduction, pivots)
+    if not at.size:
+        return ()
     spinning = [6 + i for i, body in enumerate(system.bodies) if np.any(np.array(body.spin) != 0.0)]
     found = []
     for motion in [*range(6), *spinning]:

@@ -21,7 +21,7 @@ class RateError(ValueError):
 
     def __init__(self, output: str, name: str) -> None:
         self.output = output
-        what = "measure a body that the moving damper does not act on"
+        what = "measure a motion that has mass and that no damper moved by the input acts on"
         super().__init__(f"output {output} would follow the rate of input {name}: {what}")
 
 

@@ -63,6 +63,8 @@ def check_beam(item: Beam) -> Iterator[Finding]:
     ):
         if value < 0.0:
             yield item.name, f"its {word} is {value:g} {unit}: it is not negative"
+    if not any(item.bending):
+        yield item.name, "its bending stiffness is zero in both planes: give at least one"
 
 
 def check_triangle(item: Triangle) -> Iterator[Finding]:
@@ -81,7 +83,9 @@ def check_triangle(item: Triangle) -> Iterator[Finding]:
 def check_added_mass(item: Slip) -> Iterator[Finding]:
     """An added mass whose energy is not negative."""
     mass = np.array(item.added_mass, dtype=float)
-    if mass.size:
+    if mass.size and np.any(np.abs(mass - mass.T) > RELATIVE * np.max(np.abs(mass))):
+        yield item.connection.name, "its added mass is not symmetric: that of a fluid is"
+    elif mass.size:
         energies = np.linalg.eigvalsh(mass + mass.T) / 2.0
         if energies[0] < -RELATIVE * np.max(np.abs(energies)):
             yield item.connection.name, f"its added mass has a principal value of {energies[0]:.6g}: none is negative"

@@ -6,12 +6,16 @@ from collections.abc import Iterator
 import numpy as np
 
 from eom.assembly.diagnosis import locked_joints, redundant_joints, redundant_locks, some
+from eom.assembly.elastic import elastic_items
 from eom.assembly.statics import self_stresses
 from eom.assembly.vectors import Array
 from eom.model.assembly import Assembly
 from eom.model.linear import state_names
 from eom.report.loads import TrimLoads, trim_loads
 from eom.report.table import table
+
+# groups of redundant joints that a reader can take in
+SHOWN = 6
 
 
 def summary(assembly: Assembly) -> str:
@@ -63,8 +67,9 @@ def redundancy(assembly: Assembly, number: int) -> str:
     """Which joints lock the same motion."""
     if number == 0:
         return "none redundant"
-    null = self_stresses(assembly.J, assembly.pivots, assembly.reduction)
-    lines = [f"{number} redundant ({redundant_joints(assembly.system, null)})"]
+    null = self_stresses(assembly.J, assembly.pivots, assembly.reduction)[:, :SHOWN]
+    more = f"; {number - SHOWN} more" if number > SHOWN else ""
+    lines = [f"{number} redundant ({redundant_joints(assembly.system, null)}{more})"]
     for group in redundant_locks(assembly.system, null):
         lines.append("locked more than once:")
         lines += [f"  {lock}" for lock in some(list(map(str, group)))]
@@ -85,7 +90,7 @@ def trim(assembly: Assembly) -> Iterator[str]:
     how = "held" if held else "free" if speed else "at rest"
     yield f"trim speed          {speed:.6g} m/s ({speed * 3.6:.6g} km/h), {how}"
     worst = float(abs(statics.residual).max(initial=0.0))
-    stiff = any(item.stiffness != (0.0, 0.0) for item in assembly.system.elastic)
+    stiff = any(np.any(item.stiffness) for item in elastic_items(assembly.system))
     how = "statics and stiffness" if stiff else "smallest reactions"
     how = "statics alone" if statics.determinate else how
     yield f"equilibrium         by {how}, largest remainder {worst:.1e} N or N m"

@@ -9,7 +9,7 @@ from pydantic import model_validator
 
 from eom.vehicle.parts import Flag, Identifier, Strict
 from eom.vehicle.quantity import Area, Density, Length, Place, Plain, Speed
-from eom.vehicle.springs import Matrix6, acts
+from eom.vehicle.springs import DampingMatrix, MassMatrix, acts
 
 
 class Aero(Strict):
@@ -21,8 +21,8 @@ class Aero(Strict):
     type: Literal["aero"]
     body: Identifier
     at: Place
-    damping: Matrix6 | None = None
-    added_mass: Matrix6 | None = None
+    damping: DampingMatrix | None = None
+    added_mass: MassMatrix | None = None
     mirror: Flag = False
 
     @model_validator(mode="after")

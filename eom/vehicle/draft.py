@@ -60,8 +60,11 @@ class Draft:
         Name of every body to its number.
     zeros : list
         (expression that must vanish, path, sentence if it does not).
-    radii : dict
-        Name of every connector of type ``tyre`` to the expression of its radius [m], None where it has none.
+    wheels : dict
+        Name of every connector of type ``tyre`` to its body and the expression of its radius [m], None where it has
+        none.
+    patches : set
+        Numbers of the contact patches of tyres with a relaxation length.
     """
 
     registry: Registry
@@ -85,7 +88,8 @@ class Draft:
     supports: dict[str, tuple[str, ...]] = field(default_factory=dict)
     couplings: dict[str, tuple[str, str]] = field(default_factory=dict)
     zeros: list[tuple[Expression, Path, str]] = field(default_factory=list)
-    radii: dict[str, float | None] = field(default_factory=dict)
+    wheels: dict[str, tuple[int, float | None]] = field(default_factory=dict)
+    patches: set[int] = field(default_factory=set)
 
     def system(self) -> System:
         """The finished draft."""

@@ -44,7 +44,9 @@ def stream(draft: Draft, name: str, item: Flow, path: Path, site: Site) -> tuple
     speed = draft.speed
     if item.speed is not None:
         given_speed = number(draft.registry, item, name, "speed", path, site)
-        speed = draft.registry.not_negative(given_speed, (*path, "speed"))
+        speed = draft.registry.not_negative(given_speed, (*path, "speed"), zero=False)
+    elif not draft.registry.broken:
+        draft.registry.not_negative(speed, (*path, "speed"), zero=False)
     return HALF * density * speed * area, speed, span, chord
 
 

@@ -77,11 +77,11 @@ def draft_standing(
             draft.slip.append(Slip(connection, coefficients))
         case TyreConnector():
             tyre = find_tyre(draft, tyres, item.tyre, (*path, "tyre"))
-            draft.radii[name] = (
-                None
-                if item.radius is None
-                else draft.registry.number(item.radius, f"{name}.radius", (*path, "radius"), site.scope)
-            )
+            radius = None
+            if item.radius is not None:
+                radius = draft.registry.number(item.radius, f"{name}.radius", (*path, "radius"), site.scope)
+                draft.registry.not_negative(radius, (*path, "radius"), zero=False)
+            draft.wheels[name] = (body, radius)
             if tyre is not None:
                 draft_tyre(draft, name, (body, item.tyre, tyre), place, item.wheels, path, steered=item.steered)
         case Aero() | Wing() | ControlSurface():

@@ -41,6 +41,8 @@ def tyre_numbers(draft: Draft, name: str, tyre: parts.Tyre) -> TyreNumbers:
         found[key] = number = draft.registry.number(value, f"{name}.{key}", path)
         if key not in {"cornering", "trail"}:
             draft.registry.not_negative(number, path, zero=key != "relaxation")
+        if key == "cornering" and tyre.relaxation is not None:
+            draft.registry.not_negative(number, path, zero=False)
     return TyreNumbers(**cast("dict[str, float]", found))
 
 
@@ -90,6 +92,7 @@ def draft_patch(draft: Draft, name: str, body: int, place: Vector, stiffness: fl
     nothing = (ORIGIN, ORIGIN, ORIGIN)
     draft.bodies.append(Body(f"{name}.patch", ZERO, place, nothing, (draft.speed, ZERO, ZERO), ORIGIN))
     draft.index[f"{name}.patch"] = patch
+    draft.patches.add(patch)
     on_road = draft.connection(
         f"{name}.patch_on_road", (patch, GROUND), place, forces=2, force_axis=Y, moments=1, moment_axis=Y
     )

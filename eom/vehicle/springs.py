@@ -9,20 +9,30 @@ from eom.vehicle.parts import Flag, Strict
 from eom.vehicle.quantity import (
     AngularDamping,
     AngularStiffness,
-    Any_,
     Axis,
     Damping,
     Force,
+    Impulse,
     Inertia,
     Mass,
+    MassMoment,
     Moment,
     Place,
     Stiffness,
 )
 
 Part = TypeVar("Part", bound=Strict)
-Six = tuple[Any_, Any_, Any_, Any_, Any_, Any_]
-Matrix6 = tuple[Six, Six, Six, Six, Six, Six]
+# three forces, then three moments, per three displacements, then three rotations (or their rates)
+StiffForces = tuple[Stiffness, Stiffness, Stiffness, Force, Force, Force]
+StiffMoments = tuple[Force, Force, Force, AngularStiffness, AngularStiffness, AngularStiffness]
+StiffnessMatrix = tuple[StiffForces, StiffForces, StiffForces, StiffMoments, StiffMoments, StiffMoments]
+DampedForces = tuple[Damping, Damping, Damping, Impulse, Impulse, Impulse]
+DampedMoments = tuple[Impulse, Impulse, Impulse, AngularDamping, AngularDamping, AngularDamping]
+DampingMatrix = tuple[DampedForces, DampedForces, DampedForces, DampedMoments, DampedMoments, DampedMoments]
+MassForces = tuple[Mass, Mass, Mass, MassMoment, MassMoment, MassMoment]
+MassMoments = tuple[MassMoment, MassMoment, MassMoment, Inertia, Inertia, Inertia]
+MassMatrix = tuple[MassForces, MassForces, MassForces, MassMoments, MassMoments, MassMoments]
+Matrix6 = StiffnessMatrix | DampingMatrix | MassMatrix
 
 
 class FlexPoint(PointConnector):
@@ -85,15 +95,15 @@ class TorsionSpring(LineConnector):
 class Bushing(Strict):
     """An elastic joint with full matrices, three forces then three moments along two stated axes and their third.
 
-    Stiffness in N/m, N/rad, N m/m and N m/rad, damping accordingly; numbers are in SI units.
+    Stiffness in N/m, N/rad, N m/m and N m/rad, damping accordingly.
     """
 
     type: Literal["bushing"]
     between: Pair
     at: Place
     axes: tuple[Axis, Axis]
-    stiffness: Matrix6 | None = None
-    damping: Matrix6 | None = None
+    stiffness: StiffnessMatrix | None = None
+    damping: DampingMatrix | None = None
     mirror: Flag = False
 
     @model_validator(mode="after")

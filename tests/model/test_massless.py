@@ -129,3 +129,29 @@ def test_an_inerter_gives_a_body_without_mass_inertia() -> None:
     assert len(eom.linearise(eom.loads(file)).A) == 4
     s = 2j * np.pi * 0.6
     assert_response(file, 0.6, 2.0 * s**2)
+
+
+def test_a_torsion_spring_alone_turns_a_hub_without_mass_by_its_tyre_s_moment() -> None:
+    """Compliance steer: k psi = M_z, so the hub turns with the car's slip; a hub of small inertia does the same."""
+    file = """name: compliance steer
+gravity: 9.81
+trim: {speed: 20, hold: true}
+bodies:
+  car: {mass: 1200, at: [0, 0, 0.5], inertia: {xx: 400, yy: 1500, zz: 1800}}
+  hub: {mass: 0, at: [1.2, 0, 0.3], inertia: {xx: I, yy: I, zz: I}}
+parameters: {I: 0}
+tyres:
+  front: {per: axle, cornering: 90 kN/rad, trail: 0.03}
+  rear: {per: axle, cornering: 100 kN/rad}
+connectors:
+  plane: {type: support, body: car, at: [0, 0, 0], carries: [z, roll, pitch]}
+  pivot: {type: rigid_point, between: [hub, car], at: [1.2, 0, 0.3], forces: 3, moments: 2, axis: [0, 0, 1]}
+  twist: {type: torsion_spring, between: [hub, car], ends: [[1.2, 0, 0.3], [1.2, 0, 1]], stiffness: 8000}
+  front_tyre: {type: tyre, body: hub, at: [1.2, 0, 0], tyre: front}
+  rear_tyre: {type: tyre, body: car, at: [-1.4, 0, 0], tyre: rear}
+"""
+    exact = eom.linearise(eom.loads(file)).modes().eigenvalues
+    light = eom.linearise(eom.loads(file, I=1e-7)).modes().eigenvalues
+    slow = light[np.abs(light) < 1e3]
+    # the inertia of the hub moves the roots by about its share of the car's
+    np.testing.assert_allclose(np.sort_complex(exact), np.sort_complex(slow), rtol=1e-6, atol=1e-9)
