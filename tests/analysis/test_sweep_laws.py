@@ -178,7 +178,7 @@ def test_a_wheel_needs_its_radius_at_its_place_in_the_file() -> None:
     bare = eom.loads(text(STRUT).replace(", radius: r", ""), "strut.yaml")
     with pytest.raises(eom.DescriptionError, match=r"strut.yaml:\d+:\d+: connectors.left_tyre: needs 'radius'"):
         eom.kinematic_sweep(bare, {"left_road": LIFT}, hold=["chassis"])
-    with pytest.raises(eom.DescriptionError, match="connectors.left_tyre.radius: is 0: expected more than zero"):
+    with pytest.raises(eom.DescriptionError, match=r"connectors\.left_tyre\.radius: is 0: expected more than zero"):
         eom.loads(text(STRUT).replace("radius: r", "radius: 0"), "strut.yaml")
 
 
