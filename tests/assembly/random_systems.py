@@ -132,14 +132,18 @@ class Recipe(NamedTuple):
 
 
 @st.composite
-def recipes(draw: st.DrawFn, *, conservative: bool = False, sliding: bool = True, massless: bool = True) -> Recipe:
+def recipes(
+    draw: st.DrawFn, *, conservative: bool = False, sliding: bool = True, massless: bool = True, linear: bool = True
+) -> Recipe:
     """Any recipe; ``conservative`` ones are at rest without dampers, ``sliding`` ones may have tyres, wheels and air.
+
+    Without ``massless`` all bodies have mass; without ``linear`` there is no element that is no law of finite motion.
 
     Beams and membranes are linear elements, whose forces have a potential only from a state without load.
     """
     links = tuple(draw(st.lists(st.sampled_from(LINKS), min_size=1, max_size=3)))
     extras = tuple(draw(st.lists(st.sampled_from(EXTRAS), max_size=4)))
-    structures = tuple(draw(st.lists(st.sampled_from(STRUCTURES), max_size=2)))
+    structures = tuple(draw(st.lists(st.sampled_from(STRUCTURES), max_size=2))) if linear else ()
     weightless = conservative and bool(structures)
     if weightless:
         extras = tuple(kind for kind in extras if kind != "given preload")
