@@ -30,6 +30,7 @@ pictures: .venv/installed
 	$(BIN)/eom build $(VEHICLE) --set U=110km/h --out build
 	$(BIN)/python tools/steer_response.py build/b_train_yaw_roll.py docs/images/b_train_steer_response.png
 	$(BIN)/eom modes vehicles/bicycle.yaml --sweep U=0.5:10:0.1m/s --out docs/images
+	$(BIN)/eom modes vehicles/motorcycle.yaml --sweep U=2:65:0.5m/s --out docs/images
 	rm -f docs/images/*.csv
 
 clean:

@@ -9,7 +9,7 @@ import numpy as np
 
 from eom.assembly.rows import arm_of
 from eom.assembly.vectors import Array, skew, unit
-from eom.vehicle.elements import GROUND, Beam, Body, Load, Vector
+from eom.vehicle.elements import GROUND, Beam, Body, Connection, Load, Vector
 
 
 def beam_axes(beam: Beam) -> tuple[float, Array]:
@@ -75,16 +75,43 @@ def beam_mass(bodies: Sequence[Body], beam: Beam) -> Array:
     return result
 
 
+def weight_moment(beam: Beam, gravity: Vector) -> Array:
+    """The fixed-end moment of the beam's weight on its first end [N m]; the one on its second end is its opposite."""
+    length, axes = beam_axes(beam)
+    moment: Array = np.cross(axes[0], np.asarray(gravity, dtype=float)) * (beam.mass_per_length * length**2 / 12.0)
+    return moment
+
+
+def beam_carried(
+    bodies: Sequence[Body], beam: Beam, tensions: Array, gravity: Vector
+) -> list[tuple[Connection, Array]]:
+    """What the beam's load is as that of two joints, one at each end with half of it: they turn it along.
+
+    Each keeps the force in the axes of the other end's body and turns the moment half with each end. This is
+    conservative, obeys action and reaction, and in a chain of beams tends to the law of a bent line.
+    """
+    rows, _ = beam_rows(bodies, beam)
+    wrenches = (rows.T @ tensions).reshape(2, 6)
+    moment = weight_moment(beam, gravity)
+    carried: list[tuple[Connection, Array]] = []
+    for end, (own, sign) in enumerate(zip(wrenches, (1.0, -1.0), strict=True)):
+        pair, place = (beam.bodies[end], beam.bodies[1 - end]), beam.places[end]
+        about = own[3:] - skew(arm_of(bodies, beam.bodies[end], place)) @ own[:3] + sign * moment
+        joint = Connection(beam.name, pair, (place, place), forces=3, moments=3)
+        carried.append((joint, 0.5 * np.concatenate([own[:3], about])))
+    return carried
+
+
 def beam_weight(beam: Beam, gravity: Vector) -> list[Load]:
     """Loads at the ends that do the work of the beam's weight: half of it each, and its fixed-end moments.
 
-    The moments turn with the ends, as those of an elastic force do.
+    How the moments turn is told by `beam_carried`.
     """
     if beam.mass_per_length == 0.0:
         return []
-    length, axes = beam_axes(beam)
+    length, _ = beam_axes(beam)
     weight = beam.mass_per_length * length * np.asarray(gravity, dtype=float)
-    moment = np.cross(axes[0], weight) * length / 12.0
+    moment = weight_moment(beam, gravity)
     zero = (0.0, 0.0, 0.0)
     loads = []
     for body, place, sign in zip(beam.bodies, beam.places, (1.0, -1.0), strict=True):

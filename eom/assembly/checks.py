@@ -8,18 +8,10 @@ from collections.abc import Iterator
 import numpy as np
 
 from eom.assembly.algebra import row_entry
-from eom.assembly.check_elements import (
-    RELATIVE,
-    TINY,
-    Finding,
-    check_beam,
-    check_bushing,
-    check_inertance,
-    check_triangle,
-)
 from eom.assembly.elastic import elastic_items
 from eom.assembly.inertia import trim_velocity
 from eom.assembly.rows import local_rows
+from eom.assembly.structure_checks import RELATIVE, TINY, Finding, structure_findings
 from eom.assembly.vectors import Array
 from eom.vehicle.elements import Body, Connection, Slip, System, Vector
 
@@ -35,10 +27,7 @@ def check_system(system: System) -> list[Finding]:
         return huge
     findings = [finding for body in system.bodies for finding in check_body(body)]
     findings += [finding for item in system.slip for finding in check_slip(item)]
-    findings += [finding for spring in system.elastic for finding in check_inertance(spring)]
-    findings += [finding for bushing in system.bushings for finding in check_bushing(bushing)]
-    findings += [finding for beam in system.beams for finding in check_beam(beam)]
-    findings += [finding for triangle in system.triangles for finding in check_triangle(triangle)]
+    findings += structure_findings(system)
     geometry = [finding for connection in connections(system) for finding in check_geometry(connection)]
     findings += dict.fromkeys(geometry)
     return findings or list(check_trim(system))
@@ -90,13 +79,8 @@ def check_body(body: Body) -> Iterator[Finding]:
 def check_slip(item: Slip) -> Iterator[Finding]:
     """A tyre or slip damper must oppose sliding; derivatives of a flow have any sign."""
     worst = item.coefficients[0][0]
-    if worst < 0.0 and not is_flow(item):
+    if worst < 0.0 and not item.moving:
         yield item.connection.name, f"its coefficient is {worst:g} N s/m: it would push along with the slip"
-
-
-def is_flow(item: Slip) -> bool:
-    """Whether a slip element is a flow's derivatives, which count from the trim, and no contact with the ground."""
-    return item.connection.forces == 3
 
 
 def check_spin(body: Body, inertia: Array) -> Iterator[Finding]:
@@ -160,7 +144,7 @@ def check_trim(system: System) -> Iterator[Finding]:
     for kind, items in (
         ("joint", measured([*joints, *system.rolling])),
         ("spring or damper", [(item.name, item.bodies, item.rows) for item in elastic_items(system)]),
-        ("tyre or slip damper", measured([item.connection for item in system.slip if not is_flow(item)])),
+        ("tyre or slip damper", measured([item.connection for item in system.slip if not item.moving])),
     ):
         for name, bodies, own in items:
             _, columns, jacobian = row_entry(0, bodies, own)

@@ -29,7 +29,7 @@ class Strained(NamedTuple):
     preload : float or None
         Given tension.
     connection : Connection or None
-        What turns its preload along; None for beams and membranes, whose preload has no tangent stiffness.
+        What turns its preload along; None for beams and membranes, whose own modules tell.
     """
 
     name: str

@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from eom.assembly.algebra import DENSE, Algebra, Entry, block_diagonal, row_entry, square_entry, stacked
+from eom.assembly.beam import beam_carried
 from eom.assembly.elastic import Strained, damping_entries, elastic_items, inertance_entries, stiffness_entries
 from eom.assembly.inertia import kinematic_entries, mass_entries, momentum_entries
 from eom.assembly.loads import load_stiffness, load_sums, with_weight
@@ -19,6 +20,7 @@ from eom.assembly.reduction import Pivots, Reduction, reduce_coordinates
 from eom.assembly.rows import local_rows, row_count
 from eom.assembly.statics import Statics, equilibrium
 from eom.assembly.tangent import tangent_entries
+from eom.assembly.triangle import triangle_carried
 from eom.assembly.vectors import Array
 from eom.vehicle.elements import Connection, System
 
@@ -36,7 +38,7 @@ class Matrices(NamedTuple):
     C : Array
         All that multiplies w: momentum, dampers and slip, (N, N).
     K : Array
-        All that multiplies p: elastic, tangent, load and moving-damper stiffness, (N, N).
+        All that multiplies p: elastic, tangent, load and moving-damper stiffness, camber thrust, (N, N).
     V : Array
         Kinematic matrix, (N, N).
     J, Jn : Array
@@ -51,7 +53,7 @@ class Matrices(NamedTuple):
         Applied loads and weight, (N,).
     M_body, M_inertance, M_added : Array
         Terms of M: bodies, inerters and beams (which feel the second rate of p), and fluid (which feels dw/dt).
-    K_elastic, K_tangent, K_load, K_damper : Array
+    K_elastic, K_tangent, K_load, K_damper, K_camber : Array
         Terms of K.
     C_momentum, C_damper, C_inertance, C_slip : Array
         Terms of C.
@@ -80,6 +82,7 @@ class Matrices(NamedTuple):
     K_tangent: Array
     K_load: Array
     K_damper: Array
+    K_camber: Array
     C_momentum: Array
     C_damper: Array
     C_inertance: Array
@@ -109,6 +112,15 @@ def slip_entries(system: System, which: str) -> Iterator[Entry]:
             yield square_entry(item.connection.bodies, own.T @ matrix @ own)
 
 
+def camber_entries(system: System) -> Iterator[Entry]:
+    """Camber thrust, the force of slip elements by the angle of their first body, over all coordinates."""
+    for item in system.slip:
+        if item.camber:
+            turning = item.connection._replace(forces=0, moments=1, moment_axis=item.camber_axis)
+            force = np.outer(item.camber, local_rows(system.bodies, turning)[0])
+            yield square_entry(item.connection.bodies, local_rows(system.bodies, item.connection).T @ force)
+
+
 def input_columns(system: System, which: str) -> Array:
     """Generalised forces of the inputs (*which* = ``gain``) or of their rates (``rate_gain``), (N, inputs)."""
     columns = np.zeros((6 * len(system.bodies), len(system.inputs)))
@@ -130,9 +142,16 @@ def carried_loads(system: System, items: list[Strained], statics: Statics) -> li
     reactions = split(statics.reactions, [row_count(item) for item in joints])
     tensions = split(statics.tensions, [len(item.rows) for item in items])
     carried = list(zip(joints, reactions, strict=True))
-    return carried + [
+    carried += [
         (item.connection, own) for item, own in zip(items, tensions, strict=True) if item.connection is not None
     ]
+    structures = [own for item, own in zip(items, tensions, strict=True) if item.connection is None]
+    bent, strained = structures[: len(system.beams)], structures[len(system.beams) :]
+    for beam, own in zip(system.beams, bent, strict=True):
+        carried += beam_carried(system.bodies, beam, own, system.gravity)
+    for triangle, own in zip(system.triangles, strained, strict=True):
+        carried += triangle_carried(system.bodies, triangle, own)
+    return carried
 
 
 def assemble_matrices(system: System, pivots: Pivots, algebra: Algebra = DENSE) -> Matrices:
@@ -162,6 +181,7 @@ def assemble_matrices(system: System, pivots: Pivots, algebra: Algebra = DENSE) 
         algebra.build(square, load_stiffness(bodies, loads)),
         # a damper feels dp/dt = w - V p
         -(C_damper @ V),
+        algebra.build(square, camber_entries(system)),
     )
     C_parts = (
         algebra.build(square, momentum_entries(bodies)),
@@ -173,7 +193,7 @@ def assemble_matrices(system: System, pivots: Pivots, algebra: Algebra = DENSE) 
     return Matrices(
         M_parts[0] + M_parts[1] + M_parts[2],
         C_parts[0] + C_parts[1] + C_parts[2] + C_parts[3],
-        K_parts[0] + K_parts[1] + K_parts[2] + K_parts[3],
+        K_parts[0] + K_parts[1] + K_parts[2] + K_parts[3] + K_parts[4],
         V,
         J,
         Jn,

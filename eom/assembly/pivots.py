@@ -27,13 +27,15 @@ LEAD_PREFERENCE, ROTATION_PREFERENCE = 0.03, 0.3
 MANY_BODIES = 60
 
 
-def pivoted_elimination(matrix: Array, preference: Array) -> tuple[list[int], list[int]]:
+def pivoted_elimination(matrix: Array, preference: Array, sizes: Array | None = None) -> tuple[list[int], list[int]]:
     """Independent rows of *matrix* and as many columns that they determine, by complete pivoting.
 
-    *preference* weighs the columns: a larger weight makes one dependent sooner. Written out because importing
+    *preference* weighs the columns: a larger weight makes one dependent sooner. *sizes* are those of the terms that
+    each row is a sum of, beside which rounding is zero; its largest entry by default. Written out because importing
     SciPy for its pivoted QR would make ``eom check`` take half as long again.
     """
-    work = matrix / np.maximum(np.max(np.abs(matrix), axis=1, initial=0.0), 1e-300)[:, np.newaxis]
+    largest = np.max(np.abs(matrix), axis=1, initial=0.0) if sizes is None else sizes
+    work = matrix / np.maximum(largest, 1e-300)[:, np.newaxis]
     size = np.abs(work) * preference
     kept: list[int] = []
     chosen: list[int] = []
@@ -74,7 +76,7 @@ def choose_coordinates(system: System, algebra: Algebra = DENSE) -> Pivots:
     if not system.rolling:
         return Pivots(tuple(kept), tuple(dependent))
     independent, T, _ = complement(J[kept], dependent, algebra)
-    rolling = pivoted_elimination(Jn @ T, preference[independent])
+    rolling = pivoted_elimination(np.asarray(Jn @ T), preference[independent], term_sizes(Jn, T))
     return Pivots(tuple(kept), tuple(dependent), tuple(rolling[0]), tuple(rolling[1]))
 
 
@@ -84,9 +86,16 @@ def along_tree(system: System, J: Array, preference: Array, algebra: Algebra) ->
     if not tree.loops:
         return tree.rows, tree.dependent
     independent, T, _ = complement(J[tree.rows], tree.dependent, algebra)
-    rows, columns = pivoted_columns(np.asarray(J[tree.loops] @ T), preference[independent], RANK_TOLERANCE)
+    loops = J[tree.loops]
+    sizes = term_sizes(loops, T)
+    rows, columns = pivoted_columns(np.asarray(loops @ T), preference[independent], RANK_TOLERANCE, sizes)
     kept = sorted([*tree.rows, *(tree.loops[k] for k in rows)])
     return kept, sorted([*tree.dependent, *(int(independent[k]) for k in columns)])
+
+
+def term_sizes(rows: Array, motions: Array) -> Array:
+    """Largest sum of absolute terms in each row of a product."""
+    return np.asarray(np.max(abs(rows) @ np.abs(motions), axis=1, initial=0.0))
 
 
 def with_massless(system: System, matrices: Matrices, equations: Equations, pivots: Pivots) -> Pivots:

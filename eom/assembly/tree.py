@@ -5,7 +5,7 @@ number. Along a tree each joint determines coordinates of the body that it adds,
 """
 
 from collections import defaultdict, deque
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -83,11 +83,14 @@ def walk(system: System, at_body: dict[int, list[int]]) -> list[int]:
     return order
 
 
-def pivoted_columns(matrix: Array, preference: Array, tolerance: float) -> tuple[list[int], list[int]]:
-    """Independent rows of a large matrix and as many columns that they determine, by pivoted QR."""
+def pivoted_columns(matrix: Array, preference: Array, tolerance: float, sizes: Array) -> tuple[list[int], list[int]]:
+    """Independent rows of a large matrix and as many columns that they determine, by pivoted QR.
+
+    *sizes* are those of the terms that each row is a sum of.
+    """
     from scipy.linalg import qr  # noqa: PLC0415  slow to import, for many bodies alone
 
-    scaled = matrix / np.maximum(np.max(np.abs(matrix), axis=1, initial=0.0), 1e-300)[:, np.newaxis]
+    scaled = matrix / np.maximum(sizes, 1e-300)[:, np.newaxis]
     columns, sizes = leading(qr(scaled * preference, mode="r", pivoting=True))
     rank = int(np.sum(sizes > tolerance * np.max(sizes, initial=1.0)))
     refuse_weak(sizes[:rank])
@@ -98,7 +101,7 @@ def pivoted_columns(matrix: Array, preference: Array, tolerance: float) -> tuple
     return sorted(rows[:rank]), sorted(chosen)
 
 
-def leading(factors: Sequence[Array]) -> tuple[list[int], Array]:
+def leading(factors: tuple[NDArray[np.floating], NDArray[np.signedinteger]]) -> tuple[list[int], Array]:
     """Order of the columns that a pivoted QR found, and the sizes of its pivots."""
     R, order = factors
-    return [int(k) for k in order], np.abs(np.diag(R))
+    return [int(k) for k in order], np.asarray(np.abs(np.diag(R)), dtype=np.float64)

@@ -11,7 +11,7 @@ import numpy as np
 
 from eom.assembly.rows import arm_of
 from eom.assembly.vectors import Array, skew, unit
-from eom.vehicle.elements import Body, Triangle
+from eom.vehicle.elements import Body, Connection, Triangle
 
 SPURIOUS = 1e-9
 CORNERS = ((0, 1), (1, 2), (2, 0))
@@ -97,3 +97,31 @@ def triangle_rows(bodies: Sequence[Body], triangle: Triangle) -> tuple[Array, Ar
     values, modes = np.linalg.eigh(stiffness * np.outer(scale, scale))
     kept = values > SPURIOUS * values[-1]
     return (modes[:, kept] / scale[:, np.newaxis]).T @ motions, np.diag(values[kept])
+
+
+def triangle_carried(bodies: Sequence[Body], triangle: Triangle, tensions: Array) -> list[tuple[Connection, Array]]:
+    """What the membrane's load is as that of rods along its edges and of moments between its corners' bodies.
+
+    The second order of a constant strain is that of its edges' lengths. Moments of the rotations add up to zero;
+    they turn half with each body.
+    """
+    rows, _ = triangle_rows(bodies, triangle)
+    places = np.array(triangle.places, dtype=float)
+    wrenches = (rows.T @ tensions).reshape(3, 6)
+    pulls = np.zeros((9, 3))
+    for k, (i, j) in enumerate(CORNERS):
+        along = unit(places[j] - places[i])
+        pulls[3 * i : 3 * i + 3, k], pulls[3 * j : 3 * j + 3, k] = along, -along
+    edges = np.asarray(np.linalg.lstsq(pulls, wrenches[:, :3].ravel(), rcond=None)[0], dtype=np.float64)
+    normal = triangle_axes(triangle)[2]
+    arms = [arm_of(bodies, body, place) for body, place in zip(triangle.bodies, places, strict=True)]
+    moments = [normal @ (own[3:] - skew(r) @ own[:3]) for own, r in zip(wrenches, arms, strict=True)]
+    carried: list[tuple[Connection, Array]] = []
+    for k, (i, j) in enumerate(CORNERS):
+        pair, (start, end) = (triangle.bodies[i], triangle.bodies[j]), (triangle.places[i], triangle.places[j])
+        carried.append((Connection(triangle.name, pair, (start, end), forces=1, line=True), edges[k : k + 1]))
+        if triangle.drilling:
+            twist: Array = np.array([(moments[i] - moments[j]) / 3.0])
+            axis = tuple(normal.tolist())
+            carried.append((Connection(triangle.name, pair, (start, start), moments=1, moment_axis=axis), twist))
+    return carried

@@ -16,7 +16,6 @@ import jinja2
 from eom.assembly import (
     algebra,
     beam,
-    check_elements,
     checks,
     cyclic,
     elastic,
@@ -27,6 +26,7 @@ from eom.assembly import (
     reduction,
     state_space,
     statics,
+    structure_checks,
     tangent,
     triangle,
     vectors,
@@ -60,7 +60,7 @@ KERNEL = (
     massless,
     cyclic,
     state_space,
-    check_elements,
+    structure_checks,
     checks,
 )
 SECTIONS = ("bodies", "constraints", "rolling", "elastic", "slip", "loads", "inputs", "outputs")

@@ -59,14 +59,28 @@ class Writer:
         if indent + lead + len(one_line) < WIDTH or value in self.places:
             return one_line
         inner = indent + 4
-        if isinstance(value, Binary):
-            operator, own = value.operator, PRECEDENCE[value.operator]
-            left = python_text(self.with_locals(value.left), parameter_text, own + (operator == "**"))
-            right = python_text(self.with_locals(value.right), parameter_text, own + (operator != "**"))
-            return f"(\n{' ' * inner}{left}\n{' ' * inner}{operator} {right}\n{' ' * indent})"
+        if isinstance(value, Binary | Call):
+            return f"(\n{' ' * inner}{self.operation(self.with_locals(value), inner)}\n{' ' * indent})"
         if not isinstance(value, tuple):
             return one_line
         return self.render(value, lambda part, before: self.text(part, inner, before + 1), inner)
+
+    def operation(self, value: Expression, indent: int, outer: int = 0) -> str:
+        """Source of an expression within parentheses, broken before operators as often as its length asks for."""
+        one_line = python_text(value, parameter_text, outer)
+        if indent + len(one_line) < WIDTH:
+            return one_line
+        match value:
+            case Binary(operator, left, right):
+                own = PRECEDENCE[operator]
+                first = self.operation(left, indent, own + (operator == "**"))
+                text = f"{first}\n{' ' * indent}{operator} {self.operation(right, indent, own + (operator != '**'))}"
+                return f"({text})" if own < outer else text
+            case Call(function, argument):
+                sign = function == "negative"
+                text = self.operation(argument, indent, PRECEDENCE["negative"] if sign else 0)
+                return f"-{text}" if sign else f"math.{function}({text})"
+        return one_line
 
     def render(self, value: object, show: Callable[[object, int], str], indent: int | None) -> str:
         """A value with its parts shown by *show*; on lines of their own if an indent is given."""

@@ -8,6 +8,7 @@ import numpy as np
 from eom.assembly.algebra import DENSE, Algebra
 from eom.assembly.checks import check_system
 from eom.assembly.diagnosis import near_null, redundant_joints
+from eom.assembly.elastic import elastic_items
 from eom.assembly.massless import FirstOrder, IndexAboveOneError, first_order, independent_equations
 from eom.assembly.matrices import DISPLACEMENTS, VELOCITIES, Matrices, assemble_matrices, joint_rows
 from eom.assembly.pivots import MANY_BODIES, choose_coordinates, with_cyclic, with_massless
@@ -69,7 +70,7 @@ class Assembly:
 
     @property
     def K(self) -> Array:
-        """What multiplies displacements p: elastic, tangent, load and moving-damper stiffness, (N, N)."""
+        """What multiplies displacements p: elastic, tangent, load, moving-damper and camber stiffness, (N, N)."""
         return self.matrices.K
 
     @property
@@ -120,11 +121,17 @@ class Assembly:
     @property
     def descriptor(self) -> Descriptor:
         """E dz/dt = A z + B u + B_rate du/dt with z = (q, n): the projections of the full equations by L and R."""
-        N, zero = self.M.shape[0], np.zeros_like(self.M)
-        E0: Array = np.block([[np.eye(N), zero], [zero, self.M]])
-        A0: Array = -np.block([[self.V, -np.eye(N)], [self.K, self.C]])
-        L, R = self.L, self.R
-        return Descriptor(L.T @ E0 @ R, L.T @ A0 @ R, L[N:].T @ self.matrices.F, L[N:].T @ self.matrices.G)
+        T, W, Z, at = self.reduction.T, self.reduction.W, self.reduction.Z, self.reduction.independent
+        n_q, n_n = T.shape[1], W.shape[1]
+        E = np.block([[np.eye(n_q), np.zeros((n_q, n_n))], [W.T @ (self.M @ Z), W.T @ (self.M @ W)]])
+        A = np.block(
+            [
+                [(Z - self.V @ T)[at], W[at]],
+                [-W.T @ (self.K @ T + self.C @ Z), -W.T @ (self.C @ W)],
+            ]
+        )
+        B, B_rate = (np.vstack([np.zeros((n_q, F.shape[1])), W.T @ F]) for F in (self.matrices.F, self.matrices.G))
+        return Descriptor(E, A, B, B_rate)
 
     @property
     def coordinates(self) -> tuple[str, ...]:
@@ -148,8 +155,8 @@ class Assembly:
 
     @property
     def elastic_rows(self) -> tuple[str, ...]:
-        """Names of the elastic rows H."""
-        return self.row_names([item.connection for item in self.system.elastic])
+        """Names of the elastic rows H: springs and points, bushings, beams, membranes."""
+        return numbered([(item.name, len(item.rows)) for item in elastic_items(self.system)])
 
     @property
     def slip_rows(self) -> tuple[str, ...]:
@@ -158,11 +165,15 @@ class Assembly:
 
     def row_names(self, connections: list[Connection]) -> tuple[str, ...]:
         """One name per row: the connection's, numbered where it has several rows."""
-        result: list[str] = []
-        for item in connections:
-            count = row_count(item)
-            result += [item.name] if count == 1 else [f"{item.name}[{k}]" for k in range(count)]
-        return tuple(result)
+        return numbered([(item.name, row_count(item)) for item in connections])
+
+
+def numbered(counts: list[tuple[str, int]]) -> tuple[str, ...]:
+    """Each name as often as it has rows, numbered where it has several."""
+    result: list[str] = []
+    for name, count in counts:
+        result += [name] if count == 1 else [f"{name}[{k}]" for k in range(count)]
+    return tuple(result)
 
 
 def assemble(vehicle: Vehicle) -> Assembly:

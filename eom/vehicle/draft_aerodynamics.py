@@ -27,9 +27,9 @@ def draft_aerodynamics(draft: Draft, name: str, item: Aero | Wing | ControlSurfa
                 if item.added_mass is None
                 else matrix(draft.registry, item.added_mass, f"{name}.added_mass", (*path, "added_mass"), site)
             )
-            draft.slip.append(Slip(connection, damping, added))
+            draft.slip.append(Slip(connection, damping, added, moving=True))
         case Wing():
-            draft.slip.append(Slip(connection, wing_damping(draft, name, item, path, site)))
+            draft.slip.append(Slip(connection, wing_damping(draft, name, item, path, site), moving=True))
         case ControlSurface():
             gain = deflection_gain(draft, name, item, path, site)
             draft.inputs.append(Input(f"{name}.deflection", "rad", connection, gain, (ZERO,) * 6))

@@ -23,6 +23,7 @@ class TyreNumbers(NamedTuple):
     """A tyre's live numbers; None for what it does not have."""
 
     cornering: float
+    camber: float | None
     trail: float | None
     relaxation: float | None
     longitudinal: float | None
@@ -55,9 +56,9 @@ def draft_tyre(
 ) -> None:
     """Add the forces of wheels that touch the ground at a place.
 
-    Side force F_y = -C (v_y/U - steer), aligning moment M_z = -trail F_y; with a relaxation length they act on
-    a patch without mass that the wheel drags along by a spring. Longitudinal force F_x = -C_x v_x/U of the wheel's
-    contact point. The vertical spring and damper act on displacement and its rate.
+    Side force F_y = -C (v_y/U - steer) - C_camber roll, aligning moment M_z = -trail times the force of slip; with a
+    relaxation length they act on a patch without mass that the wheel drags along by a spring. Longitudinal force
+    F_x = -C_x v_x/U of the wheel's contact point. The vertical spring and damper act on displacement and its rate.
     """
     body, tyre_name, tyre = owner
     numbers = tyre_numbers(draft, tyre_name, tyre)
@@ -66,7 +67,8 @@ def draft_tyre(
     carrier = body
     if numbers.relaxation is not None:
         carrier = draft_patch(draft, name, body, place, C / numbers.relaxation)
-    draft_side_force(draft, name, (carrier, place), C, numbers.trail, steered=steered)
+    camber = None if numbers.camber is None else count * numbers.camber
+    draft_side_force(draft, name, (carrier, place), (C, camber, numbers.trail), steered=steered)
     if numbers.longitudinal is not None:
         if body != GROUND and draft.bodies[body].spin == ORIGIN:
             what = f"the tyre '{tyre_name}' has longitudinal slip, which needs a wheel: give its body a 'spin'"
@@ -99,10 +101,19 @@ def draft_patch(draft: Draft, name: str, body: int, place: Vector, stiffness: fl
 
 
 def draft_side_force(
-    draft: Draft, name: str, where: tuple[int, Vector], C: float, trail: float | None, *, steered: bool
+    draft: Draft,
+    name: str,
+    where: tuple[int, Vector],
+    numbers: tuple[float, float | None, float | None],
+    *,
+    steered: bool,
 ) -> None:
-    """Add side force and aligning moment on a body at a place, and the steer input."""
+    """Add side force and aligning moment on a body at a place, and the steer input.
+
+    *numbers* are cornering and camber stiffness of all wheels, and the trail; camber thrust has no trail.
+    """
     body, place = where
+    C, camber, trail = numbers
     connection = draft.connection(
         name, (body, GROUND), place, forces=1, force_axis=Y, moments=0 if trail is None else 1
     )
@@ -112,6 +123,8 @@ def draft_side_force(
         gain: tuple[float, ...] = (C,)
     else:
         coefficients, gain = ((per_slip, ZERO), (-(trail * per_slip), ZERO)), (C, -(trail * C))
-    draft.slip.append(Slip(connection, coefficients))
+    # its lever is not the trail: of camber thrust alone there is no aligning moment
+    thrust: tuple[float, ...] = () if camber is None else (camber, *(ZERO for _ in gain[1:]))
+    draft.slip.append(Slip(connection, coefficients, (), thrust))
     if steered:
         draft.inputs.append(Input(f"{name}.steer", "rad", connection, gain, tuple(ZERO for _ in gain)))

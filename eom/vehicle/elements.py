@@ -141,11 +141,17 @@ class Slip(NamedTuple):
     """A force that opposes sliding velocity in body axes: minus ``coefficients`` (square) times slip velocity.
 
     ``added_mass`` (square, or empty) times the slip velocity's rate is the force of fluid that is carried along.
+    ``camber`` (one per direction, or empty) is camber thrust [N/rad, N m/rad]: minus it times the angle by which the
+    first body is turned about ``camber_axis``, the right-hand way, relative to the second one. A ``moving`` element
+    counts the velocity from that of the trim, whose own force is a load: air, not a road.
     """
 
     connection: Connection
     coefficients: tuple[tuple[float, ...], ...]
     added_mass: tuple[tuple[float, ...], ...] = ()
+    camber: tuple[float, ...] = ()
+    camber_axis: Vector = (1.0, 0.0, 0.0)
+    moving: bool = False
 
 
 class Load(NamedTuple):

@@ -12,7 +12,7 @@ from typing import Any, TypeVar, cast
 from eom.vehicle.aerodynamics import SurfaceDerivatives
 from eom.vehicle.parts import InertiaProducts, InertiaTensor, Strict
 from eom.vehicle.quantity import Quantity
-from eom.vehicle.springs import Matrix6
+from eom.vehicle.springs import Matrix6, TorsionSpring
 
 Part = TypeVar("Part", bound=Strict)
 Vector3 = tuple[Quantity, Quantity, Quantity]
@@ -87,6 +87,9 @@ def reflect(part: Part) -> Part:
         (("derivatives",), reflect_derivatives),
         (("feedthrough",), lambda gains: {other_side(name): gain for name, gain in gains.items()}),
     )
+    # a moment about a line turns round with its sense, which a place on it does not
+    if isinstance(part, TorsionSpring) and part.preload is not None:
+        update["preload"] = negative(part.preload)
     signs = MATRIX_SIGNS.get(type(part).__name__)
     if signs is not None:
         update |= {

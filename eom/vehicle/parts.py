@@ -176,11 +176,12 @@ class Tyre(Strict):
     """A linear tyre: stiffness of each wheel, or of the axle's two wheels together.
 
     ``longitudinal`` is its force per unit of longitudinal slip; ``relaxation`` the length over which its side force
-    builds up.
+    builds up. ``camber`` is its side force per angle of the wheel's lean.
     """
 
     per: Literal["wheel", "axle"]
     cornering: CorneringStiffness
+    camber: CorneringStiffness | None = None
     trail: Length | None = None
     relaxation: Length | None = None
     longitudinal: Force | None = None

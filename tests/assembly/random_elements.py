@@ -113,4 +113,3 @@ def with_knee(make: "Maker", system: System, kind: str) -> System:
         constraints=(*system.constraints, guide),
         elastic=(*system.elastic, *springs),
     )
-

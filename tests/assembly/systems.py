@@ -236,7 +236,8 @@ class Movement(NamedTuple):
 
     def moved_slip(self, item: Slip) -> Slip:
         """A slip element; matrices over all directions refer to inertial axes."""
-        result = item._replace(connection=self.moved_connection(item.connection))
+        camber_axis = self.axial(item.camber_axis)
+        result = item._replace(connection=self.moved_connection(item.connection), camber_axis=camber_axis)
         if item.connection.moments != 3:
             return result
         # the mirror image keeps its matrices only in directions that are mirrored too

@@ -1,140 +1,155 @@
-"""Beams against Euler and Bernoulli's closed forms.
+"""Slender beams against the theory of Euler and Bernoulli, whose characteristic equations are solved here.
 
-Tolerances: static results and what follows from the shapes exactly are met to rounding, 1e-9. Frequencies of consistent
-elements of length h are high by (x h / L)^4 / 1440 to leading order, x the wave number (expand the element's two
-difference equations in h).
+A beam of length L, bending stiffness EI and mass per length mu swings at b^2 sqrt(EI/mu)/L^2, where
+cos(b) cosh(b) = -1 for a cantilever and +1 for a free beam.
 """
 
 import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from eom.vehicle.elements import GROUND, Beam, Connection, Constraint, Load, System, Vector
-from tests.assembly.systems import EMPTY, ZERO, Array, Y, Z, assembled, body, eigenvalues, linear, point
+from eom.vehicle.elements import GROUND, Beam, Constraint, Load, System, Vector
+from tests.assembly.structures import chain, node
+from tests.assembly.systems import EMPTY, Array, X, Y, Z, assembled, eigenvalues, linear, measure, point, push, transfer
 
-EI, MU, LENGTH = 7.0, 0.9, 2.0
-RELATIVE = 1e-9
-NOTHING = (ZERO, ZERO, ZERO)
+EI, MU, L = 210.0, 0.7, 1.3
+ZERO: Vector = (0.0, 0.0, 0.0)
+SKEW: Vector = (0.6, 0.48, 0.64)
 
 
-def beams(elements: int, *, clamped: bool, speed: float = 0.0, axis: int = 2) -> System:
-    """A prismatic beam along x that bends in one plane; its nodes are bodies without mass.
-
-    They deflect along z (*axis* 2) or y (1); all other motion is locked.
-    """
-    nodes = np.linspace(0.0, LENGTH, elements + 1)[1 if clamped else 0 :]
-    up = (ZERO, Y, Z)[axis]
-    bodies = tuple(
-        body(f"n{k}", (float(x), 0.0, 0.0), 0.0, NOTHING, velocity=(speed, 0.0, 0.0)) for k, x in enumerate(nodes)
-    )
-    turn = (Z, Z, Y)[axis]
-    guides: list[Constraint] = []
-    for k, node in enumerate(bodies):
-        guides += [
-            Constraint(point((k, GROUND), node.centre, forces=2, axis=up, name=f"guide {k}"), moving=True),
-            Constraint(point((k, GROUND), node.centre, moments=2, axis=turn, name=f"turn {k}")),
+def roots_of(sign: float, count: int) -> Array:
+    """The first roots of cos(b) cosh(b) = sign, one near each odd multiple of pi/2."""
+    first = 0 if sign < 0.0 else 1
+    return np.array(
+        [
+            brentq(
+                lambda b: np.cos(b) - sign / np.cosh(b), (k + 0.5) * np.pi - 0.4, (k + 0.5) * np.pi + 0.4, xtol=1e-14
+            )
+            for k in range(first, first + count)
         ]
-    first = [(GROUND, 0)] if clamped else []
-    pairs = [*first, *((k, k + 1) for k in range(len(bodies) - 1))]
-    ends = [0.0, *nodes] if clamped else nodes
-    items = tuple(
-        Beam(f"beam {k}", pair, ((float(ends[k]), 0.0, 0.0), (float(ends[k + 1]), 0.0, 0.0)), (EI, EI), up, MU)
-        for k, pair in enumerate(pairs)
     )
-    return EMPTY._replace(bodies=bodies, constraints=tuple(guides), beams=items)
 
 
-def frequencies(system: System) -> Array:
-    """Angular frequencies of the vibrations, ascending."""
-    roots = eigenvalues(linear(system).model)
-    return np.sort(roots.imag[roots.imag > 1e-3])
+def frequencies(system: System, count: int) -> Array:
+    """The lowest natural frequencies [rad/s] that are not zero."""
+    found = eigenvalues(linear(system).model)
+    np.testing.assert_allclose(found.real, 0.0, atol=1e-6 * np.max(np.abs(found)))
+    # rounding of 1e-16 times the highest square, split over defective zeros of rigid motions
+    turning = np.sort(found.imag[found.imag > 0.05 * np.sqrt(EI / MU) / L**2])
+    return np.asarray(turning[:count])
 
 
-def wave_numbers(sign: float, guesses: list[tuple[float, float]]) -> Array:
-    """Roots of cos(x) cosh(x) = *sign* within brackets."""
-    return np.array([brentq(lambda x: np.cos(x) - sign / np.cosh(x), a, b, xtol=1e-14) for a, b in guesses])
+def in_units(found: Array, bending: float = EI) -> Array:
+    """Frequencies as the roots b."""
+    return np.asarray(np.sqrt(found / np.sqrt(bending / MU)) * L)
 
 
-CLAMPED_FREE = wave_numbers(-1.0, [(1.0, 3.0), (4.0, 6.0), (7.0, 9.0)])
-FREE_FREE = wave_numbers(1.0, [(4.0, 6.0), (7.0, 9.0), (10.0, 12.0)])
+def test_the_solved_roots_are_the_published_ones() -> None:
+    """R. D. Blevins, Formulas for Natural Frequency and Mode Shape (1979)."""
+    np.testing.assert_allclose(roots_of(-1.0, 3), [1.87510407, 4.69409113, 7.85475744], atol=5e-9)
+    np.testing.assert_allclose(roots_of(1.0, 2), [4.73004074, 7.85320462], atol=5e-9)
 
 
-@pytest.mark.parametrize("axis", [1, 2])
-@pytest.mark.parametrize(("clamped", "waves"), [(True, CLAMPED_FREE), (False, FREE_FREE)])
-def test_frequencies_are_those_of_euler_and_bernoulli(clamped: bool, waves: Array, axis: int) -> None:
-    """Omega = x^2 sqrt(EI / mu L^4); x is 1.8751, 4.6941, 7.8548 clamped, 4.7300, 7.8532, 10.9956 free."""
-    exact = waves**2 * np.sqrt(EI / (MU * LENGTH**4))
-    error = [
-        frequencies(beams(elements, clamped=clamped, axis=axis))[: len(exact)] / exact - 1.0 for elements in (10, 20)
-    ]
-    np.testing.assert_allclose(error[1], (waves / 20.0) ** 4 / 1440.0, rtol=0.1)
-    np.testing.assert_allclose(np.log2(error[0] / error[1]), 4.0, atol=0.2)
+@pytest.mark.parametrize(("clamped", "sign"), [(True, -1.0), (False, 1.0)])
+def test_frequencies_converge_from_above_with_the_fourth_power_of_the_length(clamped: bool, sign: float) -> None:
+    """The consistent mass makes the frequency an upper bound, its error the square of that of the curvature."""
+    exact = roots_of(sign, 2)
+    errors = []
+    for count in (10, 20):
+        system = chain(count, (EI, 64.0 * EI), MU, length=L, clamped=clamped)
+        errors.append(in_units(frequencies(system, 2)) - exact)
+    assert np.all(np.array(errors) > 0.0)
+    order = np.log2(errors[0] / errors[1])
+    # next terms of the series grow with the square of b/10 at most
+    np.testing.assert_allclose(order, 4.0, atol=0.1)
+    np.testing.assert_allclose(errors[1] / exact, 0.0, atol=1e-4)
 
 
-def test_a_beam_that_travels_along_itself_has_the_same_frequencies() -> None:
-    still, moving = (frequencies(beams(4, clamped=False, speed=speed)) for speed in (0.0, 30.0))
+@pytest.mark.parametrize("normal", [Y, Z, (0.3, 0.0, 2.0), (-5.0, 1.0, 0.0)])
+def test_both_planes_have_their_own_frequencies_wherever_the_normal_leans(normal: Vector) -> None:
+    first = frequencies(chain(4, (EI, 4.0 * EI), MU, length=L, normal=normal), 2)
+    alone = frequencies(chain(4, (EI, 400.0 * EI), MU, length=L), 1)
+    # twice the frequency for four times the stiffness; the same element in another plane, but for rounding
+    np.testing.assert_allclose(first, [alone[0], 2.0 * alone[0]], rtol=1e-9)
+
+
+@pytest.mark.parametrize("velocity", [(30.0, 0.0, 0.0), (0.0, 30.0, 0.0), (7.0, -5.0, 20.0)])
+def test_a_moving_beam_has_the_frequencies_of_one_at_rest(velocity: Vector) -> None:
+    still = frequencies(chain(4, (EI, 4.0 * EI), MU, length=L, clamped=False), 4)
+    moving = frequencies(chain(4, (EI, 4.0 * EI), MU, length=L, clamped=False, velocity=velocity), 4)
     np.testing.assert_allclose(moving, still, rtol=1e-7)
 
 
-def test_one_element_has_the_tip_deflection_of_a_load_and_of_its_weight() -> None:
-    """P L^3 / 3 EI with slope P L^2 / 2 EI, and q L^4 / 8 EI with q L^3 / 6 EI."""
-    load = Load("tip", 0, (LENGTH, 0.0, 0.0), (0.0, 0.0, -3.0), ZERO)
-    system = beams(1, clamped=True)
-    loaded = assembled(system._replace(loads=(load,))).statics
-    np.testing.assert_allclose(
-        loaded.deflection[[2, 4]], [-3.0 * LENGTH**3 / (3.0 * EI), 3.0 * LENGTH**2 / (2.0 * EI)], rtol=RELATIVE
+@pytest.mark.parametrize(("along", "across"), [(X, Y), (X, Z), (SKEW, (0.8, -0.36, -0.48))])
+def test_one_element_has_the_exact_deflection_under_a_force_at_its_tip(along: Vector, across: Vector) -> None:
+    tip = tuple((L * np.array(along)).tolist())
+    system = chain(1, (EI, EI), MU, length=L, along=along, normal=across)._replace(
+        inputs=(push(0, tip, across),), outputs=(measure(0, tip, across),)
     )
-    q = 9.81 * MU
-    hanging = assembled(system._replace(gravity=(0.0, 0.0, -9.81))).statics
-    np.testing.assert_allclose(
-        hanging.deflection[[2, 4]], [-q * LENGTH**4 / (8.0 * EI), q * LENGTH**3 / (6.0 * EI)], rtol=RELATIVE
-    )
+    # one solution of four equations
+    assert transfer(linear(system).model, 0.0)[0, 0].real == pytest.approx(L**3 / (3.0 * EI), rel=1e-10)
 
 
-def test_the_mass_of_a_beam_is_that_of_its_length_and_its_first_and_second_moment() -> None:
-    """Rigid motions of two free ends carry mu L, mu L^2 / 2 and mu L^3 / 3 about the first end, along a skew line."""
-    start, along = np.array([0.3, -0.2, 0.5]), np.array([2.0, 1.0, -2.0])
-    end = start + along
-    bodies = (body("a", ZERO, 0.0, NOTHING), body("b", (1.0, 1.0, 1.0), 0.0, NOTHING))
-    beam = Beam("beam", (0, 1), (vector(start), vector(end)), (EI, 2.0 * EI), (0.0, 1.0, 1.0), MU)
-    M = assembled(EMPTY._replace(bodies=bodies, beams=(beam,))).M
-    velocity, spin = np.array([0.4, -1.0, 0.7]), np.array([0.2, 0.5, -0.3])
-
-    def motion(place: Array) -> Array:
-        return velocity + np.cross(spin, place)
-
-    p = np.concatenate([motion(np.zeros(3)), spin, motion(np.ones(3)), spin])
-    middle = [motion(start + along * t) for t in (0.5 - np.sqrt(0.6) / 2.0, 0.5, 0.5 + np.sqrt(0.6) / 2.0)]
-    energy = MU * 3.0 * np.dot([5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0], [v @ v for v in middle])
-    np.testing.assert_allclose(p @ M @ p, energy, rtol=RELATIVE)
+def test_one_element_has_the_exact_deflection_and_slope_of_its_own_weight() -> None:
+    """The loads at the nodes do the weight's work on cubic deflections, whence nodal values are exact."""
+    system = chain(1, (EI, 3.0 * EI), MU, length=L, normal=Z)._replace(gravity=(0.0, 0.0, -9.81))
+    deflection = assembled(system).statics.deflection
+    q = MU * 9.81
+    assert deflection[2] == pytest.approx(-q * L**4 / (8.0 * EI), rel=1e-10)
+    # nose down is positive
+    assert deflection[4] == pytest.approx(q * L**3 / (6.0 * EI), rel=1e-10)
 
 
-def vector(values: Array) -> Vector:
-    """Three plain numbers."""
-    x, y, z = (float(value) for value in values)
-    return x, y, z
+def test_weight_and_its_moment_are_carried_at_the_clamp() -> None:
+    root, tip = node("root", ZERO), node("tip", (L, 0.0, 0.0))
+    clamp = Constraint(point((0, GROUND), ZERO, forces=3, moments=3, name="clamp"))
+    free = chain(1, (EI, EI), MU, length=L)
+    beam = Beam("beam", (0, 1), (ZERO, tip.centre), (EI, 2.0 * EI), (0.2, 1.0, 1.0), MU)
+    rods = tuple(item._replace(connection=item.connection._replace(bodies=(0, 1))) for item in free.constraints)
+    system = EMPTY._replace(bodies=(root, tip), constraints=(clamp, *rods), beams=(beam,), gravity=(0.0, 0.0, -9.81))
+    found = assembled(system).statics
+    weight = MU * L * 9.81
+    np.testing.assert_allclose(found.reactions[:6], [0, 0, weight, 0, -weight * L / 2.0, 0], atol=1e-9 * weight)
+    assert np.max(np.abs(found.residual)) < 1e-12 * weight
 
 
-def test_bending_in_two_planes_has_its_own_stiffness() -> None:
-    """A skew cantilever: along ``normal`` 3 EI1 / L^3, across it 3 EI2 / L^3."""
-    along, first = np.array([1.0, 2.0, 2.0]) / 3.0, np.array([2.0, 1.0, -2.0]) / 3.0
-    second = np.cross(along, first)
-    tip = body("tip", vector(along), 1.0)
-    beam = Beam("beam", (GROUND, 0), (ZERO, tip.centre), (5.0, 11.0), vector(first + 0.7 * along))
-    system = EMPTY._replace(bodies=(tip,), beams=(beam,))
-    K = assembled(system).K
-    free = K[:3, :3] - K[:3, 3:] @ np.linalg.pinv(K[3:, 3:]) @ K[3:, :3]
-    np.testing.assert_allclose(free, 15.0 * np.outer(first, first) + 33.0 * np.outer(second, second), atol=1e-9)
+def test_a_beam_shifted_as_a_whole_has_its_mass_in_every_direction() -> None:
+    M = assembled(chain(1, (EI, EI), MU, length=L, along=SKEW, clamped=False)).M
+    for direction in np.eye(3):
+        shift = np.tile(np.concatenate([direction, np.zeros(3)]), 2)
+        assert shift @ M @ shift == pytest.approx(MU * L, rel=1e-13)
 
 
-def test_one_plane_of_a_beam_is_no_hidden_support_in_statics() -> None:
-    """A link carries the load along the beam: statics alone tells everything, and the beam carries none."""
-    tip = body("tip", (LENGTH, 0.0, 0.0))
-    rod = Constraint(Connection("rod", (0, GROUND), (tip.centre, ZERO), 1, line=True))
-    stay = Constraint(point((0, GROUND), tip.centre, moments=1, axis=(1.0, 0.0, 0.0), name="stay"))
-    beam = Beam("beam", (GROUND, 0), (ZERO, tip.centre), (EI, EI), Z)
-    pull = Load("pull", 0, tip.centre, (12.0, 0.0, 0.0), ZERO)
-    found = assembled(EMPTY._replace(bodies=(tip,), constraints=(rod, stay), beams=(beam,), loads=(pull,))).statics
-    assert found.determinate
-    np.testing.assert_allclose(found.tensions, 0.0, atol=1e-9)
-    np.testing.assert_allclose(found.reactions[0], 12.0, rtol=RELATIVE)
+def test_a_beam_turned_as_a_whole_has_the_inertia_of_a_rod_and_costs_no_energy() -> None:
+    system = chain(1, (EI, 2.0 * EI), MU, length=L, clamped=False)
+    matrices = assembled(system)
+    turn = np.array([0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, L, 0.0, 0.0, 0.0, 1.0])
+    assert turn @ matrices.M @ turn == pytest.approx(MU * L**3 / 3.0, rel=1e-13)
+    np.testing.assert_allclose(matrices.K_elastic @ turn, 0.0, atol=1e-10 * EI)
+    assert np.linalg.matrix_rank(matrices.K_elastic, tol=1e-9 * EI) == 4
+
+
+def test_bodies_off_the_line_carry_the_beam_on_arms() -> None:
+    """The same beam between bodies whose centres lie elsewhere: a change of coordinates and no more."""
+    ends = (ZERO, (L, 0.0, 0.0))
+    beam = Beam("beam", (0, 1), ends, (EI, 2.0 * EI), Y, MU)
+    at_ends = EMPTY._replace(bodies=(node("a", ends[0]), node("b", ends[1])), beams=(beam,))
+    centres: tuple[Vector, Vector] = ((0.1, 0.5, -0.2), (1.0, -0.4, 0.3))
+    off = at_ends._replace(bodies=(node("a", centres[0]), node("b", centres[1])))
+    change = np.eye(12)
+    for k in range(2):
+        r = np.subtract(ends[k], centres[k])
+        # displacement of the end is x + theta x r
+        change[6 * k : 6 * k + 3, 6 * k + 3 : 6 * k + 6] = np.cross(np.eye(3), r).T
+    one, other = assembled(at_ends), assembled(off)
+    for name in ("M", "K_elastic"):
+        expected = change.T @ getattr(one, name) @ change
+        np.testing.assert_allclose(getattr(other, name), expected, atol=1e-12 * np.max(np.abs(expected)))
+
+
+def test_a_load_at_the_tip_and_the_weight_add() -> None:
+    """Two beams under both: P L^3/(3 EI) + q L^4/(8 EI), exact at the nodes of any mesh."""
+    system = chain(3, (EI, EI), MU, length=L)._replace(gravity=(0.0, 0.0, -9.81))
+    load = Load("pull", 2, (L, 0.0, 0.0), (0.0, 0.0, -5.0), ZERO)
+    found = assembled(system._replace(loads=(load,))).statics.deflection[14]
+    assert found == pytest.approx(-(5.0 * L**3 / 3.0 + MU * 9.81 * L**4 / 8.0) / EI, rel=1e-9)

@@ -84,6 +84,10 @@ class Sum:
         if item.added_mass:
             self.C += on_rate.T @ np.array(item.added_mass) @ on_q
             self.M += on_rate.T @ np.array(item.added_mass) @ on_rate
+        if item.camber:
+            turning = item.connection._replace(forces=0, moments=1, moment_axis=item.camber_axis)
+            angle = self.row(measures(self.bodies, turning)[0], item.connection.bodies)
+            self.K += np.outer(on_rate.T @ np.array(item.camber), angle)
 
     def external(self, item: Load) -> None:
         """A load of constant components in the axes of its frame."""

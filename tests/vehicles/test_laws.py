@@ -55,15 +55,19 @@ def test_reduced_equations_satisfy_every_constraint(name: str) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_the_descriptor_form_has_the_state_spaces_roots(name: str) -> None:
+    """The ratio of det(s E - A) to det(s I - A) is one number for all s, also where E is singular for want of mass."""
     assembly = eom.assemble(vehicle(name))
     E, A, _, _ = assembly.descriptor
     model = eom.linearise(assembly)
-    s = 2j * np.pi * 0.7 + 0.3
-    # characteristic polynomials at one point, scaled; equal but for the rounding of two determinants
-    sign_1, size_1 = np.linalg.slogdet(s * np.eye(len(A)) - np.linalg.solve(E, A))
-    sign_2, size_2 = np.linalg.slogdet(s * np.eye(len(A)) - model.A)
-    assert size_1 == pytest.approx(size_2, rel=1e-9)
-    assert abs(sign_1 - sign_2) < 1e-8
+    ratios = []
+    for s in (0.3 + 4.4j, 1.1 - 9.0j, 6.0 + 2.0j):
+        sign_1, size_1 = np.linalg.slogdet(s * E - A)
+        sign_2, size_2 = np.linalg.slogdet(s * np.eye(len(model.A)) - model.A)
+        ratios.append((sign_1 / sign_2, size_1 - size_2, abs(size_1) + abs(size_2)))
+    for sign, size, scale in ratios[1:]:
+        # rounding of two determinants
+        assert abs(sign - ratios[0][0]) < 1e-8
+        assert abs(size - ratios[0][1]) < 1e-9 * scale
 
 
 @pytest.mark.parametrize("name", ["quarter_car", "b_train_yaw_roll", "full_car", "four_bar", "a_train"])

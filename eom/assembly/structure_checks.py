@@ -1,10 +1,10 @@
-"""Checks on the numbers of inerters, bushings, beams and membranes: (object, sentence) pairs."""
+"""Checks on the numbers of inerters, bushings, beams, membranes and added mass."""
 
 from collections.abc import Iterator
 
 import numpy as np
 
-from eom.vehicle.elements import Beam, Bushing, Elastic, Triangle
+from eom.vehicle.elements import Beam, Bushing, Elastic, Slip, System, Triangle
 
 RELATIVE = 1e-9
 # axes in a file have some six digits
@@ -12,6 +12,15 @@ PERPENDICULAR = 1e-6
 # a line below this has no direction [m]
 TINY = 1e-9
 Finding = tuple[str, str]
+
+
+def structure_findings(system: System) -> list[Finding]:
+    """What no inerter, bushing, beam, membrane or added mass may be."""
+    findings = [finding for spring in system.elastic for finding in check_inertance(spring)]
+    findings += [finding for bushing in system.bushings for finding in check_bushing(bushing)]
+    findings += [finding for beam in system.beams for finding in check_beam(beam)]
+    findings += [finding for triangle in system.triangles for finding in check_triangle(triangle)]
+    return findings + [finding for item in system.slip for finding in check_added_mass(item)]
 
 
 def check_inertance(item: Elastic) -> Iterator[Finding]:
@@ -67,3 +76,12 @@ def check_triangle(item: Triangle) -> Iterator[Finding]:
             yield item.name, f"its {word} is {value:g} {unit}: it is more than zero"
     if not -1.0 < item.poisson <= 0.5:
         yield item.name, f"its Poisson's ratio is {item.poisson:g}: that of a material lies between -1 and 0.5"
+
+
+def check_added_mass(item: Slip) -> Iterator[Finding]:
+    """An added mass whose energy is not negative."""
+    mass = np.array(item.added_mass, dtype=float)
+    if mass.size:
+        energies = np.linalg.eigvalsh(mass + mass.T) / 2.0
+        if energies[0] < -RELATIVE * np.max(np.abs(energies)):
+            yield item.connection.name, f"its added mass has a principal value of {energies[0]:.6g}: none is negative"
