@@ -242,9 +242,10 @@ class Movement(NamedTuple):
             return result
         # the mirror image keeps its matrices only in directions that are mirrored too
         six = np.kron(np.diag([1.0, self.hand()]), self.rotation)
-        matrices = (item.coefficients, item.added_mass)
-        turned = (matrix(six @ np.array(values) @ six.T) if values else () for values in matrices)
-        return Slip(result.connection, *turned)
+        coefficients, added = (
+            matrix(six @ np.array(values) @ six.T) if values else () for values in (item.coefficients, item.added_mass)
+        )
+        return result._replace(coefficients=coefficients, added_mass=added)
 
     def moved_bushing(self, item: Bushing) -> Bushing:
         """A bushing, whose matrices refer to two stated axes and a third that stays right-handed."""
