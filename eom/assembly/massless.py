@@ -55,7 +55,11 @@ def independent_equations(matrices: Matrices) -> Equations:
         MZ = M @ Z
         on_q, on_n = on_q + MZ @ Qq + C @ Z, on_n + MZ @ Qn
     F, G = along(W, matrices.F), along(W, matrices.G)
-    return Equations(Qq, Qn, W.T @ (M @ W), projected(W, on_n), projected(W, on_q), F, G)
+    damping = projected(W, on_n)
+    if np.max(np.abs(damping), initial=0.0) <= ROUNDING * float(abs(C).max()) * np.max(np.abs(W), initial=0.0):
+        # dampers between bodies that joints hold together
+        damping = np.zeros_like(damping)
+    return Equations(Qq, Qn, W.T @ (M @ W), damping, projected(W, on_q), F, G)
 
 
 def projected(W: Array, forces: Array) -> Array:

@@ -78,7 +78,7 @@ EXTRAS = (
     "again",
 )
 STRUCTURES = ("beam", "heavy beam", "membrane", "drilled membrane")
-"""What carries loads without a tangent stiffness of its own."""
+"""Beams and membranes."""
 KNEES = ("spring", "damper", "spring and damper", "spring to damper")
 """What holds a body without mass that slides on another."""
 
@@ -110,8 +110,6 @@ class Recipe(NamedTuple):
         Whether air, with its mass, acts on a body in all directions.
     held : bool
         Whether a joint holds the speed of a body.
-    weightless : bool
-        Whether nothing is loaded.
     seed : int
         Of all numbers.
     """
@@ -128,23 +126,21 @@ class Recipe(NamedTuple):
     knees: tuple[str, ...] = ()
     flow: bool = False
     held: bool = False
-    weightless: bool = False
 
 
 @st.composite
-def recipes(draw: st.DrawFn, *, conservative: bool = False, sliding: bool = True, massless: bool = True) -> Recipe:
+def recipes(
+    draw: st.DrawFn, *, conservative: bool = False, sliding: bool = True, massless: bool = True, linear: bool = True
+) -> Recipe:
     """Any recipe; ``conservative`` ones are at rest without dampers, ``sliding`` ones may have tyres, wheels and air.
 
-    Beams and membranes are linear elements, whose forces have a potential only from a state without load.
+    Without ``massless`` all bodies have mass; without ``linear`` there is no element that is no law of finite motion.
     """
     links = tuple(draw(st.lists(st.sampled_from(LINKS), min_size=1, max_size=3)))
     extras = tuple(draw(st.lists(st.sampled_from(EXTRAS), max_size=4)))
-    structures = tuple(draw(st.lists(st.sampled_from(STRUCTURES), max_size=2)))
-    weightless = conservative and bool(structures)
-    if weightless:
-        extras = tuple(kind for kind in extras if kind != "given preload")
+    structures = tuple(draw(st.lists(st.sampled_from(STRUCTURES), max_size=2))) if linear else ()
     kinds = ["dead"] if conservative else ["dead", "follower", "other"]
-    loads = () if weightless else tuple(draw(st.lists(st.sampled_from(kinds), max_size=3)))
+    loads = tuple(draw(st.lists(st.sampled_from(kinds), max_size=3)))
     damped = not conservative and draw(st.booleans())
     speed = 0.0 if conservative else draw(st.sampled_from((0.0, 3.0)))
     tyres = draw(st.integers(0, 2)) if sliding and speed else 0
@@ -153,7 +149,7 @@ def recipes(draw: st.DrawFn, *, conservative: bool = False, sliding: bool = True
     holds = KNEES[:1] if conservative else KNEES
     knees = tuple(draw(st.lists(st.sampled_from(holds), max_size=2))) if massless else ()
     seed = draw(st.integers(0, 100_000))
-    return Recipe(links, extras, loads, damped, speed, tyres, wheel, seed, structures, knees, air, held, weightless)
+    return Recipe(links, extras, loads, damped, speed, tyres, wheel, seed, structures, knees, air, held)
 
 
 class Maker:
@@ -329,7 +325,7 @@ def build(recipe: Recipe) -> System:
     constraints = [item for item in found if isinstance(item, Constraint)] + [held(make)] * recipe.held
     system = EMPTY._replace(
         bodies=tuple(make.bodies),
-        gravity=ZERO if recipe.weightless else vector(9.81 * make.axis()),
+        gravity=vector(9.81 * make.axis()),
         constraints=tuple(constraints),
         elastic=tuple(item for item in found if isinstance(item, Elastic)),
         slip=tuple(make.tyre(k) for k in range(recipe.tyres)) + ((flow(make),) if recipe.flow else ()),

@@ -330,6 +330,12 @@ def test_forces_that_reach_a_body_without_mass_only_by_rounding_are_none(link: s
         assert np.all(np.isfinite(linear(build(recipe)).model.A))
 
 
+def test_a_damper_between_bodies_that_are_welded_together_damps_no_body_without_mass() -> None:
+    """What it leaves in the equations is rounding, and the body stands where its springs demand."""
+    found = linear(build(Recipe(("prismatic", "weld"), ("spring",), (), True, 0.0, 0, False, 9554, knees=("spring",))))
+    assert len(found.pivots.static) == 1
+
+
 def test_law_4_redundant_joints_share_their_loads_alike_wherever_the_drawing_is() -> None:
     """The smallest reactions mix N and N m, but count at the joints' own places, which go along with the drawing.
 
