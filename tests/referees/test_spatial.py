@@ -149,7 +149,11 @@ def assert_same_without_mass(model: eom.LinearModel, referee: Spatial) -> None:
         assert sizes[-1] < RELATIVE * sizes[0]
 
 
-@pytest.mark.parametrize("name", NAMES)
+# beams and membranes are no law of finite motion
+FINITE = [name for name in NAMES if not (vehicle(name).system.beams or vehicle(name).system.triangles)]
+
+
+@pytest.mark.parametrize("name", FINITE)
 def test_shipped_vehicles_move_as_finite_motion_says(name: str) -> None:
     """Among them the rolling disc and the bicycle, whose wheels spin and roll without slipping."""
     car = vehicle(name)
