@@ -12,7 +12,7 @@ from eom.assembly.elastic import elastic_items
 from eom.assembly.inertia import trim_velocity
 from eom.assembly.rows import local_rows
 from eom.assembly.structure_checks import RELATIVE, TINY, Finding, structure_findings
-from eom.assembly.vectors import Array
+from eom.assembly.vectors import Array, unit
 from eom.vehicle.elements import Body, Connection, Slip, System, Vector
 
 # tables round the moments of thin discs
@@ -86,10 +86,9 @@ def check_slip(item: Slip) -> Iterator[Finding]:
 def check_spin(body: Body, inertia: Array) -> Iterator[Finding]:
     """Only a body that looks the same at every angle about its spin axis moves steadily."""
     spin = np.array(body.spin, dtype=float)
-    rate = float(np.linalg.norm(spin))
-    if rate == 0.0:
+    if not np.any(spin):
         return
-    a = spin / rate
+    a = unit(spin)
     across = (np.eye(3) - np.outer(a, a)) @ inertia @ (np.eye(3) - np.outer(a, a))
     mean = float(np.trace(across)) / 2.0
     rest = inertia - (a @ inertia @ a) * np.outer(a, a) - mean * (np.eye(3) - np.outer(a, a))

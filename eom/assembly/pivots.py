@@ -108,6 +108,9 @@ def with_massless(system: System, matrices: Matrices, equations: Equations, pivo
         return pivots
     weights = 1.0 / coordinate_preference(system)
     _, massless = pivoted_elimination(null.T, weights[matrices.reduction.independent_velocities])
+    if len(massless) < null.shape[1]:
+        message = "motions without mass cannot be told from those with mass"
+        raise ValueError(message)
     basis = null_basis(equations.M, massless)
     damping = basis.T @ equations.C @ basis
     limit = INDEX_TOLERANCE * float(np.max(np.abs(equations.C), initial=0.0))

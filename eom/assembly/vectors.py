@@ -18,11 +18,13 @@ def skew(a: Vector | Array) -> Array:
 def unit(a: Vector | Array) -> Array:
     """The vector *a* divided by its length; ``ValueError`` for a zero vector."""
     vector = np.asarray(a, dtype=float)
-    length = float(np.sqrt(vector @ vector))
-    if length == 0.0:
+    largest = float(np.max(np.abs(vector)))
+    if largest == 0.0:
         message = "an axis has no direction: its length is zero"
         raise ValueError(message)
-    return vector / length
+    # squares of small numbers may vanish
+    scaled = vector / largest
+    return np.asarray(scaled / np.sqrt(scaled @ scaled))
 
 
 def directions(count: int, axis: Vector | Array) -> Array:

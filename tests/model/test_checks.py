@@ -185,3 +185,21 @@ def test_planar_inertia_is_accepted_and_impossible_inertia_is_not() -> None:
     np.testing.assert_array_equal(same.A, eom.linearise(eom.loads(CAR)).A)
     message = refusal("inertia: {xx: 500, yy: 2000, zz: 2200}", "inertia: {xx: 1, yy: 1, zz: 2200}")
     assert "no body has principal moments of inertia 1, 1 and 2200 kg m^2" in message
+
+
+def test_a_spin_too_small_to_square_is_a_spin() -> None:
+    """Its axis counts all the same: the wheel's angle is cyclic."""
+    wheel = (
+        CAR
+        + "  pivot: {type: rigid_point, between: [wheel, frame], at: [0, 0, 1], forces: 3, moments: 2, axis: [0, 1, 0]}\n"
+    )
+    disc = "  wheel: {mass: 1, at: [0, 0, 1], inertia: {xx: 1, yy: 2, zz: 1}, spin: [0, 1e-300, 0]}\n"
+    model = eom.linearise(eom.loads(wheel.replace("bodies:\n", "bodies:\n" + disc)))
+    assert any(np.all(model.A[:, k] == 0.0) for k in model.cyclic)
+
+
+def test_masses_beyond_comparison_are_refused() -> None:
+    """A node of the cantilever drawn a million kilometres off: its turning dwarfs every other mass."""
+    far = text("cantilever").replace("at: [3*L/4, 0, 0]", "at: [1e9*L/4, 0, 0]")
+    with pytest.raises(eom.SingularError, match="differ too much in size"):
+        eom.linearise(eom.loads(far))
