@@ -189,10 +189,8 @@ def test_planar_inertia_is_accepted_and_impossible_inertia_is_not() -> None:
 
 def test_a_spin_too_small_to_square_is_a_spin() -> None:
     """Its axis counts all the same: the wheel's angle is cyclic."""
-    wheel = (
-        CAR
-        + "  pivot: {type: rigid_point, between: [wheel, frame], at: [0, 0, 1], forces: 3, moments: 2, axis: [0, 1, 0]}\n"
-    )
+    bearing = "type: rigid_point, between: [wheel, frame], at: [0, 0, 1], forces: 3, moments: 2"
+    wheel = CAR + f"  pivot: {{{bearing}, axis: [0, 1, 0]}}\n"
     disc = "  wheel: {mass: 1, at: [0, 0, 1], inertia: {xx: 1, yy: 2, zz: 1}, spin: [0, 1e-300, 0]}\n"
     model = eom.linearise(eom.loads(wheel.replace("bodies:\n", "bodies:\n" + disc)))
     assert any(np.all(model.A[:, k] == 0.0) for k in model.cyclic)
