@@ -99,7 +99,7 @@ def state_space(system: System, matrices: Matrices, pivots: Pivots, form: FirstO
 
     Where an input acts through its rate (a damper moved at its far end), the states are counted less the jump
     that the input gives them, so that only u itself remains. Raises `RateError` for an output that would still need
-    the rate of an input, ``ValueError`` where the pivots do not fit.
+    the rate of an input, ``ValueError`` where the pivots do not fit or numbers have no value.
     """
     n_u = len(system.inputs)
     rates = form.rates
@@ -107,4 +107,8 @@ def state_space(system: System, matrices: Matrices, pivots: Pivots, form: FirstO
     A, B, jump = np.split(rates, [states, states + n_u], axis=1)
     C, D, _ = np.split(output_signals(system, matrices, form), [states, states + n_u], axis=1)
     B, D = B + A @ jump, D + C @ jump
-    return StateSpace(*count_from_cyclic(A, B, C, system.bodies, matrices.reduction, pivots), D)
+    model = StateSpace(*count_from_cyclic(A, B, C, system.bodies, matrices.reduction, pivots), D)
+    if not all(np.all(np.isfinite(matrix)) for matrix in model):
+        message = "its numbers differ too much in size to compute with"
+        raise ValueError(message)
+    return model

@@ -201,3 +201,10 @@ def test_masses_beyond_comparison_are_refused() -> None:
     far = text("cantilever").replace("at: [3*L/4, 0, 0]", "at: [1e9*L/4, 0, 0]")
     with pytest.raises(eom.SingularError, match="differ too much in size"):
         eom.linearise(eom.loads(far))
+
+
+def test_a_model_of_numbers_without_value_is_refused() -> None:
+    """A side force near the smallest number there is, over a relaxation length."""
+    faint = CAR.replace("{per: axle, cornering: 80 kN/rad}", "{per: axle, cornering: 5e-321, relaxation: 0.3 m}")
+    with np.errstate(all="ignore"), pytest.raises(eom.SingularError, match="differ too much in size"):
+        eom.linearise(eom.loads(faint))
