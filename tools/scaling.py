@@ -12,9 +12,8 @@ from itertools import product
 
 import numpy as np
 
-from eom.assembly.massless import first_order, independent_equations
 from eom.assembly.matrices import assemble_matrices
-from eom.assembly.pivots import choose_coordinates, with_cyclic, with_massless
+from eom.assembly.pivots import choose_coordinates, complete
 from eom.assembly.state_space import StateSpace, state_space
 from eom.model.assembly import algebra_for
 from eom.vehicle.elements import GROUND, Body, Connection, Constraint, Elastic, System, Vector
@@ -64,11 +63,7 @@ def reduce(system: System) -> StateSpace:
     algebra = algebra_for(len(system.bodies))
     pivots = choose_coordinates(system, algebra)
     matrices = assemble_matrices(system, pivots, algebra)
-    equations = independent_equations(matrices)
-    pivots = with_massless(system, matrices, equations, pivots)
-    form = first_order(equations, pivots)
-    pivots = with_cyclic(system, matrices.reduction, form, pivots)
-    return state_space(system, matrices, pivots, form)
+    return state_space(system, matrices, *complete(system, matrices, pivots))
 
 
 def seconds(action: Callable[[], object], repeats: int) -> float:

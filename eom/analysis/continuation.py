@@ -13,7 +13,9 @@ from eom.assembly.vectors import Array
 BOUND = 0.2
 # what the correction may be of the step, else the step may have led to another branch
 CORRECTION = 0.3
+# part of a step below which the path counts as ended
 SMALLEST = 1e-7
+# smallest singular value of unit rows, of the largest: below it the end is where rows become dependent
 SINGULAR = 1e-2
 
 

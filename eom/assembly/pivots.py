@@ -11,6 +11,8 @@ from eom.assembly.massless import (
     MASS_TOLERANCE,
     Equations,
     FirstOrder,
+    first_order,
+    independent_equations,
     null_basis,
 )
 from eom.assembly.matrices import Matrices, joint_rows
@@ -96,6 +98,18 @@ def along_tree(system: System, J: Array, preference: Array, algebra: Algebra) ->
 def term_sizes(rows: Array, motions: Array) -> Array:
     """Largest sum of absolute terms in each row of a product."""
     return np.asarray(np.max(abs(rows) @ np.abs(motions), axis=1, initial=0.0))
+
+
+def complete(system: System, matrices: Matrices, pivots: Pivots) -> tuple[Pivots, FirstOrder]:
+    """The pivots with massless and cyclic motions as well, and the first-order form that they give.
+
+    *pivots* are those that the matrices were assembled with. Raises `IndexAboveOneError` for a motion that nothing
+    determines, ``ValueError`` where masses or dampers cannot be told from none.
+    """
+    equations = independent_equations(matrices)
+    pivots = with_massless(system, matrices, equations, pivots)
+    form = first_order(equations, pivots)
+    return with_cyclic(system, matrices.reduction, form, pivots), form
 
 
 def with_massless(system: System, matrices: Matrices, equations: Equations, pivots: Pivots) -> Pivots:

@@ -68,9 +68,9 @@ def equilibrium(
     """Solve f + J' reactions + H' tensions = 0 for joints and for elastic rows that can carry load.
 
     *elastic* are the items and their rows H, *constraints* J, its pivots and its reduction, *loads* f and the sum of
-    the sizes that it is made of. Where
-    statics leaves tensions open, the elastic rows share the load as their stiffness demands, from a state without
-    preload; what redundant joints leave open then takes the smallest reactions.
+    the sizes that it is made of. Where statics leaves tensions open, the elastic rows share the load as their
+    stiffness demands, from a state without preload; what redundant joints leave open then takes the smallest
+    reactions.
     """
     (items, H), (J, pivots, reduction), (f, acting) = elastic, constraints, loads
     found = [carrying_modes(item) for item in items]

@@ -9,9 +9,9 @@ from eom.assembly.algebra import DENSE, Algebra
 from eom.assembly.checks import check_system
 from eom.assembly.diagnosis import near_null, redundant_joints
 from eom.assembly.elastic import elastic_items
-from eom.assembly.massless import FirstOrder, IndexAboveOneError, first_order, independent_equations
+from eom.assembly.massless import FirstOrder, IndexAboveOneError
 from eom.assembly.matrices import DISPLACEMENTS, VELOCITIES, Matrices, assemble_matrices, joint_rows
-from eom.assembly.pivots import MANY_BODIES, choose_coordinates, with_cyclic, with_massless
+from eom.assembly.pivots import MANY_BODIES, choose_coordinates, complete
 from eom.assembly.reduction import Pivots, Reduction
 from eom.assembly.rows import row_count
 from eom.assembly.statics import unbalanced
@@ -199,10 +199,8 @@ def assemble(vehicle: Vehicle) -> Assembly:
     except ValueError as error:
         raise SingularError(f"{vehicle.file}: {nearly_redundant(vehicle) or error}") from None
     check_equilibrium(vehicle, matrices)
-    equations = independent_equations(matrices)
     try:
-        pivots = with_massless(system, matrices, equations, pivots)
-        form = first_order(equations, pivots)
+        return Assembly(vehicle, matrices, *complete(system, matrices, pivots))
     except IndexAboveOneError as error:
         velocity = int(matrices.reduction.independent_velocities[error.velocity])
         body = system.bodies[velocity // 6].name
@@ -213,7 +211,6 @@ def assemble(vehicle: Vehicle) -> Assembly:
         raise SingularError(str(vehicle.mistake(body, what))) from None
     except ValueError as error:
         raise SingularError(f"{vehicle.file}: {error}: its masses or dampers differ too much in size") from None
-    return Assembly(vehicle, matrices, with_cyclic(system, matrices.reduction, form, pivots), form)
 
 
 def algebra_for(bodies: int) -> Algebra:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from eom.assembly.algebra import dense
 from eom.assembly.massless import first_order, independent_equations
 from eom.assembly.matrices import Matrices, assemble_matrices
-from eom.assembly.pivots import choose_coordinates, with_cyclic, with_massless
+from eom.assembly.pivots import choose_coordinates, complete
 from eom.assembly.reduction import Pivots
 from eom.assembly.state_space import StateSpace, state_space
 from eom.assembly.tangent import tangent_entries
@@ -59,9 +59,7 @@ def assembled(system: System) -> Matrices:
 def pivots_of(system: System) -> Pivots:
     """All pivots of a system at its present numbers."""
     matrices = assembled(system)
-    equations = independent_equations(matrices)
-    pivots = with_massless(system, matrices, equations, choose_coordinates(system))
-    return with_cyclic(system, matrices.reduction, first_order(equations, pivots), pivots)
+    return complete(system, matrices, choose_coordinates(system))[0]
 
 
 def state_space_of(system: System, matrices: Matrices, pivots: Pivots) -> StateSpace:

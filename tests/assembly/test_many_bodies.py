@@ -11,9 +11,8 @@ import pytest
 import eom
 from eom.assembly import pivots as choice
 from eom.assembly.algebra import Algebra
-from eom.assembly.massless import first_order, independent_equations
 from eom.assembly.matrices import Matrices, assemble_matrices
-from eom.assembly.pivots import choose_coordinates, with_cyclic, with_massless
+from eom.assembly.pivots import choose_coordinates, complete
 from eom.assembly.reduction import full
 from eom.assembly.sparse import SPARSE
 from eom.assembly.state_space import StateSpace, state_space
@@ -64,11 +63,7 @@ def by(system: System, algebra: Algebra) -> tuple[Matrices, StateSpace]:
     """Matrices and model of a system by an algebra, with the pivots that go with its size."""
     pivots = choose_coordinates(system, algebra)
     matrices = assemble_matrices(system, pivots, algebra)
-    equations = independent_equations(matrices)
-    pivots = with_massless(system, matrices, equations, pivots)
-    form = first_order(equations, pivots)
-    pivots = with_cyclic(system, matrices.reduction, form, pivots)
-    return matrices, state_space(system, matrices, pivots, form)
+    return matrices, state_space(system, matrices, *complete(system, matrices, pivots))
 
 
 @pytest.mark.parametrize(("speed", "doubled"), [(0.0, False), (12.0, False), (0.0, True)])

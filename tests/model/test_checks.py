@@ -193,7 +193,7 @@ def test_a_spin_too_small_to_square_is_a_spin() -> None:
     wheel = CAR + f"  pivot: {{{bearing}, axis: [0, 1, 0]}}\n"
     disc = "  wheel: {mass: 1, at: [0, 0, 1], inertia: {xx: 1, yy: 2, zz: 1}, spin: [0, 1e-300, 0]}\n"
     model = eom.linearise(eom.loads(wheel.replace("bodies:\n", "bodies:\n" + disc)))
-    assert any(np.all(model.A[:, k] == 0.0) for k in model.cyclic)
+    assert "wheel.pitch" in [model.states[k] for k in model.cyclic]
 
 
 def test_masses_beyond_comparison_are_refused() -> None:
