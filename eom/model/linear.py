@@ -33,6 +33,14 @@ class LinearModel:
         States that change nothing but themselves (position, heading, wheel angle): their columns of A are zero but
         for each other's drift, their eigenvalues exactly zero.
     name : str
+    speed : float
+        Speed of the trim [m/s].
+    bodies : tuple of str
+    centres : Array
+        Their centres of mass at the trim, (bodies, 3) [m].
+    motion : Array
+        Displacements of all bodies by the states, (6 bodies, n): per body small translation of its centre [m] and
+        rotation [rad] in inertial axes.
     """
 
     A: Array
@@ -47,6 +55,10 @@ class LinearModel:
     output_units: tuple[str, ...]
     cyclic: tuple[int, ...]
     name: str
+    speed: float
+    bodies: tuple[str, ...]
+    centres: Array
+    motion: Array
 
     def modes(self) -> Modes:
         """Eigenvalues with frequency, damping ratio, time constant and participation."""
@@ -76,6 +88,7 @@ class LinearModel:
             outputs=tuple(self.outputs[k] for k in seen),
             output_units=tuple(self.output_units[k] for k in seen),
             cyclic=(),
+            motion=self.motion[:, kept],
         )
 
     def to_control(self) -> "control.StateSpace":
@@ -122,7 +135,22 @@ def linearise(vehicle: Vehicle | Assembly) -> LinearModel:
         output_units=tuple(item.unit for item in system.outputs),
         cyclic=assembly.pivots.cyclic,
         name=assembly.vehicle.name,
+        speed=assembly.vehicle.speed,
+        bodies=tuple(body.name for body in system.bodies),
+        centres=np.array([body.centre for body in system.bodies]),
+        motion=body_motion(assembly),
     )
+
+
+def body_motion(assembly: Assembly) -> Array:
+    """Displacements of all bodies by the states, (6 bodies, states)."""
+    reduction, pivots = assembly.reduction, assembly.pivots
+    states = len(assembly.form.rates)
+    motion: Array = reduction.T @ assembly.form.q[:, :states]
+    if pivots.cyclic:
+        own = cyclic_basis(assembly.system.bodies, reduction, pivots)
+        motion[:, list(pivots.cyclic)] = motion[:, : len(own)] @ own
+    return motion
 
 
 def state_names(assembly: Assembly) -> tuple[tuple[str, ...], tuple[str, ...]]:

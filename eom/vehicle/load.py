@@ -2,7 +2,7 @@
 
 import hashlib
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path as FilePath
 from typing import cast
 
@@ -53,6 +53,20 @@ class Vehicle:
         path = self.draft.names.get(obj) or self.draft.names.get(obj.split(".", maxsplit=1)[0], ())
         return self.source.mistake(path, what)
 
+    @property
+    def speed(self) -> float:
+        """Speed of the trim [m/s], zero without one."""
+        return evaluate(cast("Expression", self.draft.speed), self.values)
+
+    def with_values(self, **overrides: str | float) -> "Vehicle":
+        """The same vehicle with other values of parameters, as `load` takes them; the file is not read again.
+
+        Raises `DescriptionError` as `load`.
+        """
+        registry = replace(self.draft.registry, parameters=dict(self.draft.registry.parameters))
+        draft, source = replace(self.draft, registry=registry), replace(self.source, mistakes=[])
+        return with_numbers(self.description, draft, source, self.digest, overrides)
+
 
 def load(path: str | FilePath, /, **overrides: str | float) -> Vehicle:
     """Read a vehicle file; any parameter can be overridden by keyword.
@@ -92,11 +106,18 @@ def loads(text: str | bytes, file: str = "<text>", /, **overrides: str | float) 
     if description is None or broken & {"parameters", *COLLECTIONS}:
         raise DescriptionError(source.mistakes)
     draft = make_draft(description, broken)
-    source.mistakes += [Mistake(file, 0, 0, "", what) for what in override(draft.registry, overrides)]
     for where, what in draft.registry.mistakes:
         source.report(where, what)
     if not (draft.bodies or source.mistakes):
         source.report((), "describes no body: give 'bodies' or 'units'")
+    return with_numbers(description, draft, source, hashlib.sha256(raw).hexdigest(), overrides)
+
+
+def with_numbers(
+    description: Description, draft: Draft, source: Source, digest: str, overrides: Mapping[str, str | float]
+) -> Vehicle:
+    """The vehicle of a draft, its parameters overridden; mistakes join those that the source already has."""
+    source.mistakes += [Mistake(source.file, 0, 0, "", what) for what in override(draft.registry, overrides)]
     values = parameter_values(draft.registry, source)
     check_expressions(draft.registry, values, source)
     check_floors(draft.registry, values, source)
@@ -110,5 +131,4 @@ def loads(text: str | bytes, file: str = "<text>", /, **overrides: str | float) 
             source.report(where, what)
     if source.mistakes:
         raise DescriptionError(source.mistakes)
-    digest = hashlib.sha256(raw).hexdigest()
-    return Vehicle(description.name, file, digest, description, draft, cast("System", system), values, source)
+    return Vehicle(description.name, source.file, digest, description, draft, cast("System", system), values, source)
