@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from eom.assembly.rows import arm_of
-from eom.assembly.vectors import Array, skew, unit
+from eom.assembly.vectors import Array, array, skew, unit, zeros
 from eom.vehicle.elements import GROUND, Beam, Body, Connection, Load, Vector
 
 
@@ -16,19 +16,20 @@ def beam_axes(beam: Beam) -> tuple[float, Array]:
     """Length, and unit vectors (3, 3): along the beam, across it in the first plane, across it in the second."""
     span = np.subtract(beam.places[1], beam.places[0])
     along = unit(span)
-    normal = np.asarray(beam.normal, dtype=float)
+    normal = array(beam.normal)
     first = unit(normal - along * (along @ normal))
-    return float(span @ along), np.array([along, first, skew(along) @ first])
+    length: float = np.inner(span, along)
+    return length, np.array([along, first, skew(along) @ first])
 
 
 def end_motions(bodies: Sequence[Body], beam: Beam) -> Array:
     """Displacement and rotation of both ends along the beam's axes, shape (12, 12), over its bodies' coordinates."""
     _, axes = beam_axes(beam)
-    motions = np.zeros((12, 12))
-    for end in range(2):
-        at = 6 * end
+    turned = [-axes @ skew(arm_of(bodies, *end)) for end in zip(beam.bodies, beam.places, strict=True)]
+    motions = zeros((12, 12), axes, *turned)
+    for at, turn in zip((0, 6), turned, strict=True):
         motions[at : at + 3, at : at + 3] = axes
-        motions[at : at + 3, at + 3 : at + 6] = -axes @ skew(arm_of(bodies, beam.bodies[end], beam.places[end]))
+        motions[at : at + 3, at + 3 : at + 6] = turn
         motions[at + 3 : at + 6, at + 3 : at + 6] = axes
     return motions
 
@@ -78,7 +79,7 @@ def beam_mass(bodies: Sequence[Body], beam: Beam) -> Array:
 def weight_moment(beam: Beam, gravity: Vector) -> Array:
     """The fixed-end moment of the beam's weight on its first end [N m]; the one on its second end is its opposite."""
     length, axes = beam_axes(beam)
-    moment: Array = np.cross(axes[0], np.asarray(gravity, dtype=float)) * (beam.mass_per_length * length**2 / 12.0)
+    moment: Array = np.cross(axes[0], array(gravity)) * (beam.mass_per_length * length**2 / 12.0)
     return moment
 
 
@@ -110,7 +111,7 @@ def beam_weight(beam: Beam, gravity: Vector) -> list[Load]:
     if beam.mass_per_length == 0.0:
         return []
     length, _ = beam_axes(beam)
-    weight = beam.mass_per_length * length * np.asarray(gravity, dtype=float)
+    weight = beam.mass_per_length * length * array(gravity)
     moment = weight_moment(beam, gravity)
     zero = (0.0, 0.0, 0.0)
     loads = []

@@ -9,7 +9,7 @@ from eom.assembly.algebra import Entry, square_entry
 from eom.assembly.beam import beam_mass, beam_rows
 from eom.assembly.rows import local_rows
 from eom.assembly.triangle import triangle_rows
-from eom.assembly.vectors import Array, skew, unit
+from eom.assembly.vectors import Array, array, skew, unit
 from eom.vehicle.elements import Body, Bushing, Connection, Elastic, System
 
 
@@ -62,8 +62,7 @@ def from_elastic(bodies: Sequence[Body], item: Elastic) -> Strained:
     connection = item.connection
     counts = (1 if connection.line else connection.forces, connection.moments)
     stiffness, damping, inertance = (
-        np.diag(np.repeat(np.array(pair, dtype=float), counts))
-        for pair in (item.stiffness, item.damping, item.inertance)
+        np.diag(np.repeat(array(pair), counts)) for pair in (item.stiffness, item.damping, item.inertance)
     )
     rows = local_rows(bodies, connection)
     mass = rows.T @ inertance @ rows if np.any(inertance) else np.zeros((0, 0))
@@ -73,7 +72,7 @@ def from_elastic(bodies: Sequence[Body], item: Elastic) -> Strained:
 def bushing_axes(item: Bushing) -> Array:
     """The axes that a bushing's matrices refer to, shape (3, 3), a row each."""
     first = unit(item.axes[0])
-    second = np.asarray(item.axes[1], dtype=float)
+    second = array(item.axes[1])
     second = unit(second - first * (first @ second))
     return np.array([first, second, skew(first) @ second])
 
@@ -81,7 +80,7 @@ def bushing_axes(item: Bushing) -> Array:
 def from_bushing(bodies: Sequence[Body], item: Bushing) -> Strained:
     """A bushing, its matrices turned from its own axes into the inertial ones."""
     turn = np.kron(np.eye(2), bushing_axes(item))
-    stiffness, damping = (turn.T @ np.array(matrix, dtype=float) @ turn for matrix in (item.stiffness, item.damping))
+    stiffness, damping = (turn.T @ array(matrix) @ turn for matrix in (item.stiffness, item.damping))
     connection = item.connection
     rows = local_rows(bodies, connection)
     none = np.zeros((0, 0))

@@ -5,15 +5,17 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from eom.assembly.algebra import Entry, square_entry
-from eom.assembly.vectors import Array, skew
+from eom.assembly.vectors import Array, array, skew, zeros
 from eom.vehicle.elements import Body
 
 
 def mass_entries(bodies: Sequence[Body]) -> Iterator[Entry]:
     """Mass and inertia of all bodies [kg, kg m^2]."""
     for i, body in enumerate(bodies):
-        block = np.diag([float(body.mass)] * 3 + [0.0] * 3)
-        block[3:, 3:] = np.array(body.inertia, dtype=float)
+        mass, inertia = array(body.mass), array(body.inertia)
+        block = zeros((6, 6), mass, inertia)
+        block[[0, 1, 2], [0, 1, 2]] = mass
+        block[3:, 3:] = inertia
         yield square_entry((i,), block)
 
 
@@ -23,9 +25,10 @@ def momentum_entries(bodies: Sequence[Body]) -> Iterator[Entry]:
     m w x v0 for the translations and w x h0 for the rotations, h0 the spin's angular momentum.
     """
     for i, body in enumerate(bodies):
-        block = np.zeros((6, 6))
-        block[:3, 3:] = -body.mass * skew(body.velocity)
-        block[3:, 3:] = -skew(np.array(body.inertia, dtype=float) @ np.array(body.spin, dtype=float))
+        carried = -body.mass * skew(body.velocity)
+        gyroscopic = -skew(array(body.inertia) @ array(body.spin))
+        block = zeros((6, 6), carried, gyroscopic)
+        block[:3, 3:], block[3:, 3:] = carried, gyroscopic
         yield square_entry((i,), block)
 
 
@@ -33,8 +36,9 @@ def kinematic_entries(bodies: Sequence[Body]) -> Iterator[Entry]:
     """V of dp/dt + V p - w = 0: body axes that turn carry the trim velocity along."""
     for i, body in enumerate(bodies):
         if np.any(body.velocity):
-            block = np.zeros((6, 6))
-            block[:3, 3:] = skew(body.velocity)
+            turning = skew(body.velocity)
+            block = zeros((6, 6), turning)
+            block[:3, 3:] = turning
             yield square_entry((i,), block)
 
 

@@ -21,7 +21,7 @@ from eom.assembly.rows import local_rows, row_count
 from eom.assembly.statics import Statics, equilibrium
 from eom.assembly.tangent import tangent_entries
 from eom.assembly.triangle import triangle_carried
-from eom.assembly.vectors import Array
+from eom.assembly.vectors import Array, array, zeros
 from eom.vehicle.elements import Connection, System
 
 DISPLACEMENTS = ("x", "y", "z", "roll", "pitch", "yaw")
@@ -106,7 +106,7 @@ def joint_rows(system: System, algebra: Algebra = DENSE) -> tuple[Array, Array]:
 def slip_entries(system: System, which: str) -> Iterator[Entry]:
     """Damping (*which* = ``coefficients``) or mass (``added_mass``) of slip elements, over all coordinates."""
     for item in system.slip:
-        matrix = np.array(getattr(item, which), dtype=float)
+        matrix = array(getattr(item, which))
         if matrix.size:
             own = local_rows(system.bodies, item.connection)
             yield square_entry(item.connection.bodies, own.T @ matrix @ own)
@@ -123,11 +123,14 @@ def camber_entries(system: System) -> Iterator[Entry]:
 
 def input_columns(system: System, which: str) -> Array:
     """Generalised forces of the inputs (*which* = ``gain``) or of their rates (``rate_gain``), (N, inputs)."""
-    columns = np.zeros((6 * len(system.bodies), len(system.inputs)))
-    for k, item in enumerate(system.inputs):
-        gain = np.array(item.gain if which == "gain" else item.rate_gain, dtype=float)
+    forces = []
+    for item in system.inputs:
+        gain = array(item.gain if which == "gain" else item.rate_gain)
         _, where, values = row_entry(0, item.connection.bodies, local_rows(system.bodies, item.connection))
-        columns[where, k] = values.T @ gain
+        forces.append((where, values.T @ gain))
+    columns = zeros((6 * len(system.bodies), len(forces)), *(force for _, force in forces))
+    for k, (where, force) in enumerate(forces):
+        columns[where, k] = force
     return columns
 
 
@@ -201,7 +204,7 @@ def assemble_matrices(system: System, pivots: Pivots, algebra: Algebra = DENSE) 
         block_diagonal([item.stiffness for item in items], algebra),
         block_diagonal([item.damping for item in items], algebra),
         connection_stack(system, [item.connection for item in system.slip], algebra),
-        block_diagonal([np.array(item.coefficients, dtype=float) for item in system.slip], algebra),
+        block_diagonal([array(item.coefficients) for item in system.slip], algebra),
         input_columns(system, "gain"),
         input_columns(system, "rate_gain"),
         sums[0],

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from eom.assembly.algebra import DENSE, Algebra, Factor
-from eom.assembly.vectors import Array
+from eom.assembly.vectors import Array, zeros
 
 ROUNDING = 1e-11
 # below this the reduced equations would lose more than half of their digits
@@ -78,15 +78,18 @@ def complement(J: Array, dependent: Sequence[int], algebra: Algebra = DENSE) -> 
     n = J.shape[1]
     chosen = list(dependent)
     independent = np.setdiff1d(np.arange(n), chosen)
-    T = np.zeros((n, len(independent)))
-    T[independent, np.arange(len(independent))] = 1.0
+    identity = np.arange(len(independent))
     if not chosen:
+        T = zeros((n, n), full(J))
+        T[independent, identity] = 1.0
         return independent, T, None
     factor = algebra.factor(J[:, chosen])
-    if factor.smallest() <= PIVOT_TOLERANCE * float(abs(J).max()):
+    if factor.smallest() <= PIVOT_TOLERANCE * abs(J).max():
         message = "the constraints no longer determine the chosen dependent coordinates: choose them anew"
         raise ValueError(message)
-    T[chosen] = -factor.solve(full(J[:, independent]))
+    followed = -factor.solve(full(J[:, independent]))
+    T = zeros((n, len(independent)), followed)
+    T[independent, identity], T[chosen] = 1.0, followed
     return independent, T, factor
 
 
@@ -104,10 +107,10 @@ def reduce_coordinates(J: Array, Jn: Array, V: Array, pivots: Pivots, algebra: A
     if factor is not None and np.any(V.data):
         Z[chosen] = factor.solve(np.asarray(kept @ (V @ T)))
     rolling = full(Jn)[list(pivots.rolling_rows)] @ T
-    remaining, Tn, _ = complement(rolling, pivots.rolling_dependent)
-    if pivots.rolling_dependent:
+    remaining, Tn, rolled = complement(rolling, pivots.rolling_dependent, algebra)
+    if rolled is not None:
         lost = list(pivots.rolling_dependent)
-        Z -= T[:, lost] @ np.linalg.solve(rolling[:, lost], full(Jn)[list(pivots.rolling_rows)] @ Z)
+        Z = Z - T[:, lost] @ rolled.solve(full(Jn)[list(pivots.rolling_rows)] @ Z)
     W = T @ Tn if pivots.rolling_dependent else T
     # a rolling row that depends on the joints is left out above: it must hold by itself
     if not holds(Jn, Z):

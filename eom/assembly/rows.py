@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from eom.assembly.algebra import moving_columns
-from eom.assembly.vectors import Array, directions, skew
+from eom.assembly.vectors import Array, array, directions, skew, zeros
 from eom.vehicle.elements import GROUND, Body, Connection
 
 
@@ -16,8 +16,8 @@ def six(index: int) -> slice:
 
 def arm_of(bodies: Sequence[Body], index: int, place: Sequence[float]) -> Array:
     """Vector from a body's centre to a place [m]; from the origin for ground."""
-    where = np.asarray(place, dtype=float)
-    return where if index == GROUND else where - np.asarray(bodies[index].centre, dtype=float)
+    where = array(place)
+    return where if index == GROUND else where - array(bodies[index].centre)
 
 
 def arm(bodies: Sequence[Body], connection: Connection, end: int) -> Array:
@@ -28,7 +28,7 @@ def arm(bodies: Sequence[Body], connection: Connection, end: int) -> Array:
 def force_directions(connection: Connection) -> Array:
     """Directions of force, shape (forces, 3); for a line the unit vector from its first to its second place."""
     if connection.line:
-        first, second = (np.asarray(place, dtype=float) for place in connection.places)
+        first, second = (array(place) for place in connection.places)
         return directions(1, second - first)
     return directions(connection.forces, connection.force_axis)
 
@@ -45,11 +45,11 @@ def local_rows(bodies: Sequence[Body], connection: Connection) -> Array:
     """
     along = force_directions(connection)
     about = directions(connection.moments, connection.moment_axis)
+    first, second = (along @ skew(arm(bodies, connection, end)) for end in range(2))
     n = len(along)
-    result = np.zeros((n + len(about), 12))
+    result = zeros((n + len(about), 12), first, second, about)
     result[:n, :3], result[:n, 6:9] = along, -along
-    result[:n, 3:6] = -along @ skew(arm(bodies, connection, 0))
-    result[:n, 9:] = along @ skew(arm(bodies, connection, 1))
+    result[:n, 3:6], result[:n, 9:] = -first, second
     result[n:, 3:6], result[n:, 9:] = about, -about
     return result
 

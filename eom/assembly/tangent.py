@@ -17,7 +17,7 @@ import numpy as np
 
 from eom.assembly.algebra import Entry, square_entry
 from eom.assembly.rows import arm, force_directions
-from eom.assembly.vectors import Array, directions, skew, unit
+from eom.assembly.vectors import Array, directions, skew, unit, zeros
 from eom.vehicle.elements import Body, Connection
 
 X1, THETA1, X2, THETA2 = (slice(3 * k, 3 * k + 3) for k in range(4))
@@ -32,27 +32,29 @@ def preload(connection: Connection, reactions: Array) -> tuple[Array, Array]:
 
 def force_change(connection: Connection, f: Array, arm_1: Array, arm_2: Array) -> Array:
     """Change of the force f on the first body, shape (3, 12), per motion (x1, theta1, x2, theta2)."""
-    change = np.zeros((3, 12))
     if connection.line:
         span = np.subtract(connection.places[1], connection.places[0])
         n = unit(span)
         turn = (np.eye(3) - np.outer(n, n)) * ((f @ n) / (span @ n))
+        change = zeros((3, 12), turn, arm_1, arm_2)
         change[:, X1], change[:, THETA1] = -turn, turn @ skew(arm_1)
         change[:, X2], change[:, THETA2] = turn, -turn @ skew(arm_2)
     else:
+        change = zeros((3, 12), f)
         change[:, THETA2] = -skew(f)
     return change
 
 
 def moment_change(connection: Connection, m: Array) -> Array:
     """Change of the moment m on the first body, shape (3, 12)."""
-    change = np.zeros((3, 12))
     if connection.upright is None:
+        change = zeros((3, 12), m)
         change[:, THETA1] = change[:, THETA2] = -0.5 * skew(m)
     else:
         z = unit(connection.upright)
         Sz = skew(z)
         Su = skew(Sz @ m)
+        change = zeros((3, 12), Su, Sz)
         change[:, THETA1] = Sz @ Su
         change[:, THETA2] = -Su @ Sz
     return change
@@ -60,14 +62,14 @@ def moment_change(connection: Connection, m: Array) -> Array:
 
 def arm_changes(connection: Connection, arm_1: Array, arm_2: Array) -> tuple[Array, Array]:
     """Changes of the arms from both centres to where the force acts, each of shape (3, 12)."""
-    first, second = np.zeros((3, 12)), np.zeros((3, 12))
     carried = np.eye(3)
     if connection.rolling_axis is not None:
         rho = unit(connection.rolling_axis)
         # of a cambered wheel the part of its axis along the road's normal still carries the contact point
         n = unit(connection.force_axis) if connection.forces == 1 else np.zeros(3)
         k = rho - n * (n @ rho)
-        carried -= np.outer(rho, k) / (k @ rho)
+        carried = carried - np.outer(rho, k) / (k @ rho)
+    first, second = (zeros((3, 12), carried, arm_1, arm_2) for _ in range(2))
     first[:, THETA1] = -skew(arm_1) @ carried
     if connection.line:
         second[:, THETA2] = -skew(arm_2)
@@ -87,7 +89,7 @@ def connection_tangent(bodies: Sequence[Body], connection: Connection, reactions
     df, dm = force_change(connection, f, c1, c2), moment_change(connection, m)
     dc1, dc2 = arm_changes(connection, c1, c2)
     Sf, S1, S2 = skew(f), skew(c1), skew(c2)
-    wrench = np.zeros((12, 12))
+    wrench = zeros((12, 12), df, dm, dc1, dc2, Sf, S1, S2)
     wrench[X1], wrench[X2] = df, -df
     wrench[THETA1] = S1 @ df - Sf @ dc1 + dm
     wrench[THETA2] = Sf @ dc2 - S2 @ df - dm

@@ -9,6 +9,17 @@ Array = NDArray[np.float64]
 NO_DIRECTION, EVERY_DIRECTION = np.zeros((0, 3)), np.eye(3)
 
 
+def array(values: object) -> Array:
+    """Numbers as an array; what stands for a number in symbolic assembly is kept as it is."""
+    result = np.asarray(values)
+    return result if result.dtype == object else result.astype(float, copy=False)
+
+
+def zeros(shape: int | tuple[int, ...], *filled: Array) -> Array:
+    """Zeros that will be filled with entries of other arrays, of a type that holds them."""
+    return np.zeros(shape, dtype=np.result_type(float, *filled))
+
+
 def skew(a: Vector | Array) -> Array:
     """Matrix S(a), shape (3, 3), with S(a) b = a x b."""
     x, y, z = a
@@ -17,8 +28,8 @@ def skew(a: Vector | Array) -> Array:
 
 def unit(a: Vector | Array) -> Array:
     """The vector *a* divided by its length; ``ValueError`` for a zero vector."""
-    vector = np.asarray(a, dtype=float)
-    largest = float(np.max(np.abs(vector)))
+    vector = array(a)
+    largest = np.max(np.abs(vector))
     if largest == 0.0:
         message = "an axis has no direction: its length is zero"
         raise ValueError(message)
