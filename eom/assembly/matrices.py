@@ -18,7 +18,7 @@ from eom.assembly.inertia import kinematic_entries, mass_entries, momentum_entri
 from eom.assembly.loads import load_stiffness, load_sums, with_weight
 from eom.assembly.reduction import Pivots, Reduction, reduce_coordinates
 from eom.assembly.rows import local_rows, row_count
-from eom.assembly.statics import Statics, equilibrium
+from eom.assembly.statics import Balance, Statics, equilibrium
 from eom.assembly.tangent import tangent_entries
 from eom.assembly.triangle import triangle_carried
 from eom.assembly.vectors import Array, array, zeros
@@ -157,8 +157,10 @@ def carried_loads(system: System, items: list[Strained], statics: Statics) -> li
     return carried
 
 
-def assemble_matrices(system: System, pivots: Pivots, algebra: Algebra = DENSE) -> Matrices:
-    """Assemble a system's matrices about its trim, statics included.
+def assemble_matrices(
+    system: System, pivots: Pivots, algebra: Algebra = DENSE, balance: Balance = equilibrium
+) -> Matrices:
+    """Assemble a system's matrices about its trim, statics included, which *balance* solves.
 
     Raises ``ValueError`` where the pivots do not fit the joints.
     """
@@ -171,7 +173,7 @@ def assemble_matrices(system: System, pivots: Pivots, algebra: Algebra = DENSE) 
     items, loads = elastic_items(system), with_weight(system)
     sums = load_sums(bodies, loads)
     H = stacked([(item.bodies, item.rows) for item in items], N, algebra)
-    statics = equilibrium(bodies, (items, H), (J, pivots, reduction), sums, algebra)
+    statics = balance(bodies, (items, H), (J, pivots, reduction), sums, algebra)
     M_parts = (
         algebra.build(square, mass_entries(bodies)),
         algebra.build(square, inertance_entries(items)),

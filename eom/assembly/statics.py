@@ -1,7 +1,7 @@
 """Equilibrium of the trim: constraint reactions and preloads, by statics alone or with the help of stiffness."""
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from eom.assembly.algebra import Algebra, block_diagonal
 from eom.assembly.elastic import Strained, carrying_modes
 from eom.assembly.reduction import ROUNDING, Pivots, Reduction, full
-from eom.assembly.vectors import Array
+from eom.assembly.vectors import Array, zeros
 from eom.vehicle.elements import Body
 
 RANK_TOLERANCE = 1e-10
@@ -49,6 +49,21 @@ class Statics(NamedTuple):
     determinate: bool
     indefinite: NDArray[np.bool_]
     deflection: Array
+
+
+class Balance(Protocol):
+    """What solves an equilibrium; see `equilibrium` for the arguments."""
+
+    def __call__(
+        self,
+        bodies: Sequence[Body],
+        elastic: tuple[Sequence[Strained], Array],
+        constraints: tuple[Array, Pivots, Reduction],
+        loads: tuple[Array, Array],
+        algebra: Algebra,
+    ) -> Statics:
+        """The solved equilibrium."""
+        ...
 
 
 def length_scales(bodies: Sequence[Body]) -> Array:
@@ -151,11 +166,14 @@ def self_stresses(J: Array, pivots: Pivots, reduction: Reduction) -> Array:
     One for each row that is not among the pivots, where it is 1.
     """
     repeated = np.setdiff1d(np.arange(J.shape[0]), list(pivots.rows))
-    null = np.zeros((J.shape[0], len(repeated)))
-    null[repeated, np.arange(len(repeated))] = 1.0
-    if repeated.size and reduction.factor is not None:
-        rows = full(J[repeated][:, list(pivots.dependent)])
-        null[list(pivots.rows)] = -reduction.factor.solve_transposed(rows.T)
+    identity = np.arange(len(repeated))
+    if not (repeated.size and reduction.factor is not None):
+        null = np.zeros((J.shape[0], len(repeated)))
+    else:
+        balancing = -reduction.factor.solve_transposed(full(J[repeated][:, list(pivots.dependent)]).T)
+        null = zeros((J.shape[0], len(repeated)), balancing)
+        null[list(pivots.rows)] = balancing
+    null[repeated, identity] = 1.0
     return null
 
 

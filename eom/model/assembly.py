@@ -1,7 +1,8 @@
 """A vehicle's matrices with their labels, checked."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, overload
 
 import numpy as np
 
@@ -20,6 +21,9 @@ from eom.errors import DescriptionError, EquilibriumError, SingularError
 from eom.vehicle.elements import Connection, System
 from eom.vehicle.load import Vehicle
 
+if TYPE_CHECKING:
+    from eom.model.symbolic import SymbolicAssembly
+
 
 class Descriptor(NamedTuple):
     """E dz/dt = A z + B u + B_rate du/dt in SI units; z = (q, n), displacements in inertial, velocities in body axes.
@@ -31,6 +35,17 @@ class Descriptor(NamedTuple):
     A: Array
     B: Array
     B_rate: Array
+
+
+def descriptor_of(matrices: Matrices) -> Descriptor:
+    """The full equations projected onto the motions that the constraints allow."""
+    T, W, Z, at = (getattr(matrices.reduction, name) for name in ("T", "W", "Z", "independent"))
+    M, C, K, V = matrices.M, matrices.C, matrices.K, matrices.V
+    n_q, n_n = T.shape[1], W.shape[1]
+    E = np.block([[np.eye(n_q), np.zeros((n_q, n_n))], [W.T @ (M @ Z), W.T @ (M @ W)]])
+    A = np.block([[(Z - V @ T)[at], W[at]], [-W.T @ (K @ T + C @ Z), -W.T @ (C @ W)]])
+    B, B_rate = (np.vstack([np.zeros((n_q, F.shape[1])), W.T @ F]) for F in (matrices.F, matrices.G))
+    return Descriptor(E, A, B, B_rate)
 
 
 @dataclass(frozen=True)
@@ -121,17 +136,13 @@ class Assembly:
     @property
     def descriptor(self) -> Descriptor:
         """E dz/dt = A z + B u + B_rate du/dt with z = (q, n): the projections of the full equations by L and R."""
-        T, W, Z, at = self.reduction.T, self.reduction.W, self.reduction.Z, self.reduction.independent
-        n_q, n_n = T.shape[1], W.shape[1]
-        E = np.block([[np.eye(n_q), np.zeros((n_q, n_n))], [W.T @ (self.M @ Z), W.T @ (self.M @ W)]])
-        A = np.block(
-            [
-                [(Z - self.V @ T)[at], W[at]],
-                [-W.T @ (self.K @ T + self.C @ Z), -W.T @ (self.C @ W)],
-            ]
-        )
-        B, B_rate = (np.vstack([np.zeros((n_q, F.shape[1])), W.T @ F]) for F in (self.matrices.F, self.matrices.G))
-        return Descriptor(E, A, B, B_rate)
+        return descriptor_of(self.matrices)
+
+    @property
+    def independent(self) -> tuple[str, ...]:
+        """Names of z = (q, n), the descriptor's columns: independent displacements, then independent velocities."""
+        displacements = [self.coordinates[k] for k in self.reduction.independent]
+        return (*displacements, *(self.velocities[k] for k in self.reduction.independent_velocities))
 
     @property
     def coordinates(self) -> tuple[str, ...]:
@@ -176,18 +187,38 @@ def numbered(counts: list[tuple[str, int]]) -> tuple[str, ...]:
     return tuple(result)
 
 
-def assemble(vehicle: Vehicle) -> Assembly:
-    """Assemble a vehicle's matrices about its trim.
+@overload
+def assemble(vehicle: Vehicle) -> Assembly: ...
+
+
+@overload
+def assemble(vehicle: Vehicle, *, symbols: Sequence[str] | str) -> "SymbolicAssembly": ...
+
+
+def assemble(vehicle: Vehicle, *, symbols: Sequence[str] | str = ()) -> "Assembly | SymbolicAssembly":
+    """Assemble a vehicle's matrices about its trim, as numbers or in symbols.
+
+    Parameters
+    ----------
+    vehicle : Vehicle
+    symbols : sequence of str, or "all"
+        Parameters that shall stand as symbols in the matrices; ``"all"`` takes every one that is a number and not
+        zero.
 
     Raises
     ------
     DescriptionError
-        If its numbers describe something that cannot be: an impossible inertia, a trim that violates a joint.
+        If its numbers describe something that cannot be: an impossible inertia, a trim that violates a joint; or if
+        there is no parameter of a symbol's name.
     EquilibriumError
         If the loads at the trim do not balance; names body and component.
     SingularError
         If nothing determines a motion.
     """
+    if symbols:
+        from eom.model.symbolic import assemble_symbols  # noqa: PLC0415  sympy is slow to import
+
+        return assemble_symbols(vehicle, symbols)
     system = vehicle.system
     findings = check_system(system)
     if findings:

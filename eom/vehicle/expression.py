@@ -1,6 +1,7 @@
 """Arithmetic of parameters: a bounded, whitelisted syntax tree that is never evaluated as code.
 
-One tree, several back ends: `evaluate` gives a number, `python_text` the same arithmetic as Python source.
+One tree, several back ends: `evaluate` gives a number, `compute` whatever its values are made of (traced symbols),
+`python_text` the same arithmetic as Python source.
 """
 
 import ast
@@ -225,26 +226,30 @@ def evaluate(expression: Expression, values: Mapping[str, float]) -> float:
 
 def real_power(a: float, b: float) -> float:
     """A to the power b; ``ValueError`` where it is not real."""
-    result = a**b
+    result: float = a**b
     if isinstance(result, complex):
         message = f"{a:g} ** {b:g} is not a real number"
         raise ValueError(message)  # noqa: TRY004  the value is at fault, not its type
-    return float(result)
+    return result
 
 
-def compute(expression: Expression, values: Mapping[str, float]) -> float:
-    """Plain recursion of `evaluate`."""
+def compute(
+    expression: Expression,
+    values: Mapping[str, float],
+    functions: Mapping[str, Callable[[float], float]] = FUNCTIONS,
+) -> float:
+    """Plain recursion of `evaluate`, for whatever *values* and *functions* compute with."""
     match expression:
         case Number(value):
             return value
         case Name(name):
             return values[name]
         case Call("negative", argument):
-            return -compute(argument, values)
+            return -compute(argument, values, functions)
         case Call(function, argument):
-            return FUNCTIONS[function](compute(argument, values))
+            return functions[function](compute(argument, values, functions))
         case Binary(operator, left, right):
-            a, b = compute(left, values), compute(right, values)
+            a, b = (compute(side, values, functions) for side in (left, right))
             match operator:
                 case "+":
                     return a + b

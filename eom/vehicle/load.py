@@ -131,4 +131,4 @@ def with_numbers(
             source.report(where, what)
     if source.mistakes:
         raise DescriptionError(source.mistakes)
-    return Vehicle(description.name, source.file, digest, description, draft, cast("System", system), values, source)
+    return Vehicle(description.name, source.file, digest, description, draft, system, values, source)

@@ -1,11 +1,12 @@
 """Values for a draft's parameters: overrides, order of computation, bounds, and the system with numbers."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, cast
 
 from eom.errors import Mistake
 from eom.vehicle.draft import Draft
+from eom.vehicle.elements import System
 from eom.vehicle.expression import Expression, evaluate, names
 from eom.vehicle.quantity import parse_quantity
 from eom.vehicle.registry import Live, Registry
@@ -154,21 +155,30 @@ def check_floors(registry: Registry, values: Mapping[str, float], source: Source
             source.report(path, f"is {value:g}: expected {'no less' if zero else 'more'} than zero")
 
 
-def numbers(item: object, values: Mapping[str, float], draft: Draft, source: Source, owner: str = "") -> object:
-    """The same structure with every expression evaluated; a slip at zero speed is reported at its object."""
+def with_entries(item: object, entry: Callable[[Expression, str], object], owner: str = "") -> object:
+    """The same structure with every expression replaced by what *entry* makes of it and of its object's name."""
     if isinstance(item, Expression):
+        return entry(item, owner)
+    if isinstance(item, tuple):
+        own = getattr(item, "name", "") or getattr(getattr(item, "connection", None), "name", "") or owner
+        parts: list[Any] = [with_entries(part, entry, own) for part in item]
+        return type(item)(*parts) if hasattr(item, "_fields") else tuple(parts)
+    return item
+
+
+def numbers(system: System, values: Mapping[str, float], draft: Draft, source: Source) -> System:
+    """The system with every expression evaluated; a slip at zero speed is reported at its object."""
+
+    def number(expression: Expression, owner: str) -> float:
         try:
-            return evaluate(item, values)
+            return evaluate(expression, values)
         except ValueError as error:
             path: Path = draft.names.get(owner.split(".", maxsplit=1)[0], ())
             at_rest = evaluate(cast("Expression", draft.speed), values) == 0.0
             source.report(path, AT_REST if at_rest else str(error))
             return 0.0
-    if isinstance(item, tuple):
-        own = getattr(item, "name", "") or getattr(getattr(item, "connection", None), "name", "") or owner
-        parts: list[Any] = [numbers(part, values, draft, source, own) for part in item]
-        return type(item)(*parts) if hasattr(item, "_fields") else tuple(parts)
-    return item
+
+    return cast("System", with_entries(system, number))
 
 
 AT_REST = "needs a moving trim: slip and sideslip are angles against the trim speed, which is zero"

@@ -1,0 +1,171 @@
+"""The matrices of a vehicle in symbols: the same assembly, computed with traced numbers."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import cast
+
+import numpy as np
+import sympy
+
+from eom.assembly.matrices import Matrices, assemble_matrices
+from eom.assembly.vectors import Array
+from eom.errors import DescriptionError, Mistake
+from eom.model.assembly import Assembly, assemble, descriptor_of
+from eom.model.field import EXACT, rational_field
+from eom.model.preloads import SymbolicBalance
+from eom.model.traced import Traced, exact, function
+from eom.vehicle.elements import System
+from eom.vehicle.expression import FUNCTIONS, Number, compute
+from eom.vehicle.expression import names as parameter_names
+from eom.vehicle.load import Vehicle
+from eom.vehicle.values import in_order, why_unknown, with_entries
+
+FULL = ("M", "C", "K", "V", "J", "Jn", "H", "H_slip", "Theta", "F", "G")
+REDUCTION = ("T", "W", "Z")
+
+
+@dataclass(frozen=True)
+class SymbolicAssembly:
+    """Matrices of the equations of motion in symbols, every entry an expanded rational function of them.
+
+    Rows and columns are those of the numeric assembly, whose labels name them. Which coordinates are independent was
+    chosen by numbers, at the trim. A parameter of value zero is structure, and a symbol only if asked for by name.
+
+    Attributes
+    ----------
+    numeric : Assembly
+        The same matrices as numbers, with the labels.
+    M, C, K, V : sympy.ImmutableMatrix
+        (N, N), see `eom.assembly.matrices.Matrices`.
+    J, Jn, H, H_slip : sympy.ImmutableMatrix
+        Constraint, rolling, elastic and slip rows over the N coordinates.
+    Theta : sympy.ImmutableMatrix
+        Slip coefficients.
+    F, G : sympy.ImmutableMatrix
+        Forces of inputs and of their rates, (N, inputs).
+    E, A, B, B_rate : sympy.ImmutableMatrix
+        The reduced equations E dz/dt = A z + B u + B_rate du/dt; z is named by ``numeric.independent``.
+    symbols : mapping of str to sympy.Symbol
+        The symbol of each parameter that has one.
+    preloads : mapping of str to sympy.Symbol
+        The load that each row of a joint or spring carries at the trim, ``row.preload``, where it is not zero;
+        positive along the row on its first body [N, N m].
+    equilibrium : tuple of sympy.Eq
+        The equations of the preloads, see `eom.model.preloads`.
+    """
+
+    numeric: Assembly
+    M: sympy.ImmutableMatrix
+    C: sympy.ImmutableMatrix
+    K: sympy.ImmutableMatrix
+    V: sympy.ImmutableMatrix
+    J: sympy.ImmutableMatrix
+    Jn: sympy.ImmutableMatrix
+    H: sympy.ImmutableMatrix
+    H_slip: sympy.ImmutableMatrix
+    Theta: sympy.ImmutableMatrix
+    F: sympy.ImmutableMatrix
+    G: sympy.ImmutableMatrix
+    E: sympy.ImmutableMatrix
+    A: sympy.ImmutableMatrix
+    B: sympy.ImmutableMatrix
+    B_rate: sympy.ImmutableMatrix
+    symbols: Mapping[str, sympy.Symbol]
+    preloads: Mapping[str, sympy.Symbol]
+    equilibrium: tuple[sympy.Eq, ...]
+
+    def numbers(self, matrix: sympy.Matrix, assembly: Assembly | None = None) -> Array:
+        """The entries of a matrix of these symbols as floats, parameters and preloads as at the trim.
+
+        Or as in another *assembly* of the same vehicle with other values of its parameters.
+        """
+        point = self.point(assembly or self.numeric)
+        entries = [float(entry.xreplace(point).evalf(20)) for entry in matrix]
+        return np.array(entries).reshape(matrix.shape)
+
+    def point(self, assembly: Assembly) -> dict[sympy.Symbol, sympy.Rational]:
+        """What the symbols stand for in an assembly of the same vehicle."""
+        values = {symbol: assembly.vehicle.values[name] for name, symbol in self.symbols.items()}
+        statics = assembly.matrices.statics
+        loads = [f"{name}.preload" for name in (*assembly.constraint_rows, *assembly.elastic_rows)]
+        known = dict(zip(loads, (*statics.reactions, *statics.tensions), strict=True))
+        known |= {f"{name}.settling": x for name, x in zip(assembly.coordinates, statics.deflection, strict=True)}
+        values |= {symbol: known[name] for name, symbol in self.preloads.items()}
+        return {symbol: sympy.Rational(repr(float(value))) for symbol, value in values.items()}
+
+
+def assemble_symbols(vehicle: Vehicle, names: Sequence[str] | str) -> SymbolicAssembly:
+    """Assemble a vehicle's matrices with symbols for some of its parameters, or for ``"all"``; see `assemble`."""
+    numeric = assemble(vehicle)
+    symbols = chosen_symbols(vehicle, names)
+    leaves = traced_parameters(vehicle, symbols)
+    functions = cast("Mapping[str, Callable[[float], float]]", {name: function(name) for name in FUNCTIONS})
+    system = cast(
+        "System",
+        with_entries(vehicle.draft.system(), lambda entry, _: exact(compute(entry, leaves, functions))),
+    )
+    refuse_drilling(vehicle, system)
+    balance = SymbolicBalance(
+        numeric.matrices.statics, numeric.constraint_rows, numeric.elastic_rows, numeric.coordinates
+    )
+    matrices = assemble_matrices(system, numeric.pivots, EXACT, balance)
+    return SymbolicAssembly(
+        numeric,
+        **canonical_matrices(matrices),
+        symbols=symbols,
+        preloads={name: own.expression for name, own in balance.symbols.items()},
+        equilibrium=tuple(balance.equations),
+    )
+
+
+def canonical_matrices(matrices: Matrices) -> dict[str, sympy.ImmutableMatrix]:
+    """Traced matrices, and the reduced equations that they give, as matrices of expressions."""
+    reduction = matrices.reduction
+    traced_ones = {name: getattr(matrices, name) for name in FULL}
+    traced_ones |= {name: getattr(reduction, name) for name in REDUCTION}
+    field = rational_field(traced_ones.values())
+    exact_ones = {name: field.elements(matrix) for name, matrix in traced_ones.items()}
+    T, W, Z = (exact_ones.pop(name) for name in REDUCTION)
+    in_field = Matrices(**{**matrices._asdict(), **exact_ones, "reduction": reduction._replace(T=T, W=W, Z=Z)})
+    reduced = descriptor_of(in_field)
+    results = {**exact_ones, **reduced._asdict()}
+    return {
+        name: sympy.ImmutableMatrix(*matrix.shape, field.expressions(matrix).ravel().tolist())
+        for name, matrix in results.items()
+    }
+
+
+def chosen_symbols(vehicle: Vehicle, names: Sequence[str] | str) -> dict[str, sympy.Symbol]:
+    """A symbol for each named parameter; for ``"all"`` of those that are numbers and not zero."""
+    registry = vehicle.draft.registry
+    if names == "all":
+        plain = [name for name, live in registry.parameters.items() if isinstance(live.default, Number)]
+        names = [name for name in plain if vehicle.values[name] != 0.0]
+    names = [names] if isinstance(names, str) else names
+    unknown = [name for name in names if name not in registry.parameters]
+    if unknown:
+        sentences = [f"no symbol for '{name}': {why_unknown(name, registry)}" for name in unknown]
+        raise DescriptionError([Mistake(vehicle.file, 0, 0, "", what) for what in sentences])
+    return {name: sympy.Symbol(name) for name in names}
+
+
+def traced_parameters(vehicle: Vehicle, symbols: Mapping[str, sympy.Symbol]) -> dict[str, float]:
+    """Every parameter as a traced number, typed as the number that it stands for."""
+    live = vehicle.draft.registry.parameters
+    functions = cast("Mapping[str, Callable[[float], float]]", {name: function(name) for name in FUNCTIONS})
+    order, _ = in_order({name: list(parameter_names(item.default)) for name, item in live.items()})
+    leaves: dict[str, float] = {}
+    for name in order:
+        if name in symbols:
+            leaves[name] = cast("float", Traced(vehicle.values[name], symbols[name]))
+        else:
+            leaves[name] = cast("float", exact(compute(live[name].default, leaves, functions)))
+    return leaves
+
+
+def refuse_drilling(vehicle: Vehicle, system: System) -> None:
+    """Raise for membranes whose strains come from an eigenvalue problem."""
+    what = "has no symbolic form: strains with drilling come from an eigenvalue problem; use 'drilling: false'"
+    mistakes = [vehicle.mistake(item.name, what) for item in system.triangles if item.drilling]
+    if mistakes:
+        raise DescriptionError(mistakes)
