@@ -1,6 +1,7 @@
 """How matrices are put together and solved: densely here, for large systems as `eom.assembly.sparse` does."""
 
 from collections.abc import Callable, Iterable, Sequence
+from functools import lru_cache
 from typing import NamedTuple, Protocol
 
 import numpy as np
@@ -76,27 +77,29 @@ DENSE = Algebra(dense, DenseFactor)
 SIX = np.arange(6)
 
 
-def moving_columns(bodies: Sequence[int]) -> tuple[Indices, Indices]:
+@lru_cache(maxsize=4096)
+def moving_columns(bodies: tuple[int, ...]) -> tuple[Indices, Indices]:
     """Coordinates of those of the bodies that are not the ground, and their places among six columns a body."""
     ends = [end for end, body in enumerate(bodies) if body != GROUND]
     starts = 6 * np.array([[bodies[end] for end in ends], ends], dtype=np.intp)
     columns, local = (starts[:, :, np.newaxis] + SIX).reshape(2, -1)
+    columns.flags.writeable = local.flags.writeable = False
     return columns, local
 
 
-def row_entry(at: int, bodies: Sequence[int], rows: Array) -> Entry:
+def row_entry(at: int, bodies: tuple[int, ...], rows: Array) -> Entry:
     """Rows over six columns a body, from row *at* of a matrix over all coordinates."""
     columns, local = moving_columns(bodies)
     return np.arange(at, at + len(rows)), columns, rows if len(local) == rows.shape[1] else rows[:, local]
 
 
-def square_entry(bodies: Sequence[int], matrix: Array) -> Entry:
+def square_entry(bodies: tuple[int, ...], matrix: Array) -> Entry:
     """A matrix over six coordinates a body, in one over all coordinates."""
     columns, local = moving_columns(bodies)
     return columns, columns, matrix if len(local) == len(matrix) else matrix[local[:, np.newaxis], local]
 
 
-def stacked(blocks: Sequence[tuple[Sequence[int], Array]], size: int, algebra: Algebra) -> Array:
+def stacked(blocks: Sequence[tuple[tuple[int, ...], Array]], size: int, algebra: Algebra) -> Array:
     """Rows of several items, each given with its bodies, one below the other over *size* coordinates."""
     starts = np.cumsum([0, *(len(rows) for _, rows in blocks)])
     entries = (row_entry(int(at), bodies, rows) for at, (bodies, rows) in zip(starts, blocks, strict=False))

@@ -45,9 +45,13 @@ def check_size(system: System) -> Iterator[Finding]:
 
 def largest(item: object) -> float:
     """The largest absolute number anywhere inside an element."""
+    if isinstance(item, float):
+        return abs(item)
+    worst = 0.0
     if isinstance(item, tuple):
-        return max((largest(part) for part in item), default=0.0)
-    return abs(item) if isinstance(item, float) else 0.0
+        for part in item:
+            worst = max(worst, largest(part))
+    return worst
 
 
 def has_direction(axis: Vector) -> bool:

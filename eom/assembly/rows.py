@@ -45,7 +45,7 @@ def local_rows(bodies: Sequence[Body], connection: Connection) -> Array:
     """
     along = force_directions(connection)
     about = directions(connection.moments, connection.moment_axis)
-    first, second = (along @ skew(arm(bodies, connection, end)) for end in range(2))
+    first, second = along @ skew(arm(bodies, connection, 0)), along @ skew(arm(bodies, connection, 1))
     n = len(along)
     result = zeros((n + len(about), 12), first, second, about)
     result[:n, :3], result[:n, 6:9] = along, -along

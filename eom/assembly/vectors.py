@@ -1,5 +1,7 @@
 """Vectors in space: cross products, unit vectors and the directions that an axis stands for."""
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -29,13 +31,12 @@ def skew(a: Vector | Array) -> Array:
 def unit(a: Vector | Array) -> Array:
     """The vector *a* divided by its length; ``ValueError`` for a zero vector."""
     vector = array(a)
-    largest = np.max(np.abs(vector))
-    if largest == 0.0:
+    # squares of small numbers may vanish, hypot knows how to take them
+    length = np.sqrt(vector @ vector) if vector.dtype == object else math.hypot(*vector)
+    if length == 0.0:
         message = "an axis has no direction: its length is zero"
         raise ValueError(message)
-    # squares of small numbers may vanish
-    scaled = vector / largest
-    return np.asarray(scaled / np.sqrt(scaled @ scaled))
+    return np.asarray(vector / length)
 
 
 def directions(count: int, axis: Vector | Array) -> Array:

@@ -249,7 +249,7 @@ def compute(
         case Call(function, argument):
             return functions[function](compute(argument, values, functions))
         case Binary(operator, left, right):
-            a, b = (compute(side, values, functions) for side in (left, right))
+            a, b = compute(left, values, functions), compute(right, values, functions)
             match operator:
                 case "+":
                     return a + b

@@ -155,15 +155,27 @@ def check_floors(registry: Registry, values: Mapping[str, float], source: Source
             source.report(path, f"is {value:g}: expected {'no less' if zero else 'more'} than zero")
 
 
-def with_entries(item: object, entry: Callable[[Expression, str], object], owner: str = "") -> object:
-    """The same structure with every expression replaced by what *entry* makes of it and of its object's name."""
-    if isinstance(item, Expression):
-        return entry(item, owner)
-    if isinstance(item, tuple):
-        own = getattr(item, "name", "") or getattr(getattr(item, "connection", None), "name", "") or owner
-        parts: list[Any] = [with_entries(part, entry, own) for part in item]
-        return type(item)(*parts) if hasattr(item, "_fields") else tuple(parts)
-    return item
+def with_entries(item: object, entry: Callable[[Expression, str], object]) -> object:
+    """The same structure with every expression replaced by what *entry* makes of it and of its object's name.
+
+    What occurs in several places is made once.
+    """
+    made: dict[int, object] = {}
+
+    def copy(part: object, owner: str) -> object:
+        if id(part) in made:
+            return made[id(part)]
+        result = part
+        if isinstance(part, Expression):
+            result = entry(part, owner)
+        elif isinstance(part, tuple):
+            own = getattr(part, "name", "") or getattr(getattr(part, "connection", None), "name", "") or owner
+            parts: list[Any] = [copy(inner, own) for inner in part]
+            result = type(part)(*parts) if hasattr(part, "_fields") else tuple(parts)
+        made[id(part)] = result
+        return result
+
+    return copy(item, "")
 
 
 def numbers(system: System, values: Mapping[str, float], draft: Draft, source: Source) -> System:
