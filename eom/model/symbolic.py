@@ -74,6 +74,12 @@ class SymbolicAssembly:
     preloads: Mapping[str, sympy.Symbol]
     equilibrium: tuple[sympy.Eq, ...]
 
+    @property
+    def formulas(self) -> dict[sympy.Symbol, sympy.Expr]:
+        """The formula of each preload, where statics alone tells them all; replacing them cancels what they balance."""
+        loads = set(self.preloads.values())
+        return {equation.lhs: equation.rhs for equation in self.equilibrium if equation.lhs in loads}
+
     def numbers(self, matrix: sympy.Matrix, assembly: Assembly | None = None) -> Array:
         """The entries of a matrix of these symbols as floats, parameters and preloads as at the trim.
 
@@ -96,6 +102,7 @@ class SymbolicAssembly:
 
 def assemble_symbols(vehicle: Vehicle, names: Sequence[str] | str) -> SymbolicAssembly:
     """Assemble a vehicle's matrices with symbols for some of its parameters, or for ``"all"``; see `assemble`."""
+    refuse_membranes(vehicle)
     numeric = assemble(vehicle)
     symbols = chosen_symbols(vehicle, names)
     leaves = traced_parameters(vehicle, symbols)
@@ -104,7 +111,6 @@ def assemble_symbols(vehicle: Vehicle, names: Sequence[str] | str) -> SymbolicAs
         "System",
         with_entries(vehicle.draft.system(), lambda entry, _: exact(compute(entry, leaves, functions))),
     )
-    refuse_drilling(vehicle, system)
     balance = SymbolicBalance(
         numeric.matrices.statics, numeric.constraint_rows, numeric.elastic_rows, numeric.coordinates
     )
@@ -163,9 +169,9 @@ def traced_parameters(vehicle: Vehicle, symbols: Mapping[str, sympy.Symbol]) -> 
     return leaves
 
 
-def refuse_drilling(vehicle: Vehicle, system: System) -> None:
-    """Raise for membranes whose strains come from an eigenvalue problem."""
-    what = "has no symbolic form: strains with drilling come from an eigenvalue problem; use 'drilling: false'"
-    mistakes = [vehicle.mistake(item.name, what) for item in system.triangles if item.drilling]
+def refuse_membranes(vehicle: Vehicle) -> None:
+    """Raise for membranes, whose strains and edge loads come from eigenvalues and least squares."""
+    what = "has no symbolic form, as no membrane has: leave it out, or take the matrices as numbers"
+    mistakes = [vehicle.mistake(item.name, what) for item in vehicle.system.triangles]
     if mistakes:
         raise DescriptionError(mistakes)
