@@ -29,10 +29,14 @@ def skew(a: Vector | Array) -> Array:
 
 
 def unit(a: Vector | Array) -> Array:
-    """The vector *a* divided by its length; ``ValueError`` for a zero vector."""
+    """The vector *a* divided by its length; ``ValueError`` for a zero vector of floats."""
     vector = array(a)
+    if vector.dtype == object:
+        # one entry alone is its own length, of which roots of symbols would not know the sign
+        alone = sum(not isinstance(entry, float) or entry != 0.0 for entry in vector) == 1
+        return np.sign(vector).astype(float) if alone else np.asarray(vector / np.sqrt(vector @ vector))
     # squares of small numbers may vanish, hypot knows how to take them
-    length = np.sqrt(vector @ vector) if vector.dtype == object else math.hypot(*vector)
+    length = math.hypot(*vector)
     if length == 0.0:
         message = "an axis has no direction: its length is zero"
         raise ValueError(message)

@@ -34,11 +34,19 @@ def build(
     file: File,
     settings: Set = None,
     out: Annotated[Path, typer.Option("--out", metavar="FOLDER", help="Where the results go.")] = Path("build"),
+    latex: Annotated[bool, typer.Option("--latex", help="Write the equations in symbols too, as LaTeX.")] = False,
+    symbols: Annotated[
+        list[str] | None,
+        typer.Option("--symbol", metavar="NAME", help="With --latex: a parameter to keep as a symbol; all without."),
+    ] = None,
 ) -> None:
     """Write a vehicle's importable module, its matrices (.npz, .mat) and a summary."""
     from eom.cli.build import run_build  # noqa: PLC0415
 
-    run_build(file, settings or [], out)
+    if symbols and not latex:
+        message = "--symbol goes with --latex: without it nothing is written in symbols"
+        raise typer.BadParameter(message)
+    run_build(file, settings or [], out, (symbols or "all") if latex else None)
 
 
 @app.command()

@@ -40,7 +40,6 @@ from eom.vehicle.expression import Expression, Number, evaluate, python_text
 from eom.vehicle.expression import names as parameter_names
 from eom.vehicle.load import Vehicle
 from eom.vehicle.registry import Live
-from eom.vehicle.units import DIMENSIONLESS, show_dimension
 from eom.vehicle.values import in_order
 
 KERNEL = (
@@ -153,13 +152,10 @@ def one_line(text: str) -> str:
 
 def parameter_entry(name: str, item: Live, value: str) -> tuple[str, str, str, str]:
     """Name, value, SI unit and description of a parameter, as source."""
-    unit = item.unit
-    if unit == "*":
-        unit = "" if item.dimension in {None, DIMENSIONLESS} else show_dimension(item.dimension or DIMENSIONLESS)
     return (
         literal(name),
         value,
-        literal(unit),
+        literal(item.si_unit),
         literal(one_line(item.description) if item.path[0] == "parameters" else ""),
     )
 

@@ -7,7 +7,7 @@ from eom.vehicle.elements import Vector
 from eom.vehicle.expression import Binary, Call, Expression, Name, Number, names, substitute
 from eom.vehicle.quantity import Quantity
 from eom.vehicle.source import Path
-from eom.vehicle.units import Dimension, parse_unit, stated_in
+from eom.vehicle.units import DIMENSIONLESS, Dimension, parse_unit, show_dimension, stated_in
 from eom.vehicle.validate import did_you_mean
 
 XYZ = ("x", "y", "z")
@@ -25,6 +25,13 @@ class Live:
     maximum: Expression | None = None
     dimension: Dimension | None = None
     overridden: bool = False
+
+    @property
+    def si_unit(self) -> str:
+        """Its SI unit, empty for a plain number and where nothing tells."""
+        if self.unit != "*":
+            return self.unit
+        return "" if self.dimension in {None, DIMENSIONLESS} else show_dimension(self.dimension or DIMENSIONLESS)
 
 
 @dataclass

@@ -75,6 +75,28 @@ def test_build_writes_module_matrices_and_summary(
         assert f"b_train_yaw_roll.{suffix}" in out
 
 
+def test_build_writes_the_equations_in_symbols(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    car = FOLDER / "quarter_car.yaml"
+    assert run(monkeypatch, "build", car, "--latex", "--symbol", "k_s", "--out", tmp_path) == 0
+    assert "equations" in capsys.readouterr().out
+    document = (tmp_path / "quarter_car.tex").read_text(encoding="utf-8")
+    assert "k_{s}" in document
+    assert "k_{t}" not in document
+
+
+def test_symbols_that_are_no_parameters_are_refused_before_anything_is_written(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    car = FOLDER / "quarter_car.yaml"
+    assert run(monkeypatch, "build", car, "--latex", "--symbol", "ks", "--out", tmp_path / "out") == 2
+    assert "no symbol for 'ks': there is no such parameter; did you mean 'k_s'?" in capsys.readouterr().err
+    assert not (tmp_path / "out").exists()
+    assert run(monkeypatch, "build", car, "--symbol", "k_s") == 2
+    assert "--symbol goes with --latex" in capsys.readouterr().err
+
+
 def test_modes_lists_each_pair_once(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     assert run(monkeypatch, "modes", FOLDER / "b_train_yaw_plane.yaml") == 0
     out = capsys.readouterr().out
