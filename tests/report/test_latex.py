@@ -31,8 +31,8 @@ def group(latex: str, start: int) -> tuple[str, int]:
 def value(latex: str, names: Mapping[str, float]) -> float:
     """The number that a formula of the document stands for."""
     latex = re.sub(r"\\bigl|\\bigr|&\\quad|\\\\\n", "", latex)
-    for name in sorted(names, key=len, reverse=True):
-        latex = latex.replace(name, f"({names[name]!r})")
+    known = "|".join(re.escape(name) for name in sorted(names, key=len, reverse=True))
+    latex = re.sub(rf"(?<![A-Za-z\\])(?:{known})", lambda match: f"({names[match[0]]!r})", latex)
     while (at := latex.find(r"\frac")) >= 0:
         above, middle = group(latex, at + 5)
         below, end = group(latex, middle)
