@@ -17,8 +17,8 @@ def panels(
 ) -> "Figure":
     """Curves (name, unit, values) in panels by unit, in the order in which the units come.
 
-    *labels* are the text of the common axis and the title, *scales* those of both axes. The figure belongs to no window: save it by
-    ``savefig``, or let a notebook show it.
+    *labels* are the text of the common axis and the title, *scales* those of both axes. The figure belongs to no
+    window: save it by ``savefig``, or let a notebook show it.
     """
     from matplotlib.figure import Figure  # noqa: PLC0415  slow to import
 

@@ -51,8 +51,9 @@ def transmission_zeros(model: LinearModel, inputs: Iterable[str], outputs: Itera
     sources, told = tuple(inputs), tuple(outputs)
     columns, rows = indices(model, sources, told)
     kept = np.arange(len(model.A))
-    if not np.any(model.C[np.ix_(rows, list(model.cyclic))]):
-        kept = np.setdiff1d(kept, model.cyclic)
+    cyclic = np.array(model.cyclic, dtype=int)
+    if not np.any(model.C[np.ix_(rows, cyclic)]):
+        kept = np.setdiff1d(kept, cyclic)
     A, B = model.A[np.ix_(kept, kept)], model.B[np.ix_(kept, columns)]
     C, D = model.C[np.ix_(rows, kept)], model.D[np.ix_(rows, columns)]
     A, B, C, D, rate = scaled(A, B, C, D)
