@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from eom.analysis.figures import panels
 from eom.analysis.gains import steady_gains
-from eom.analysis.grid import frequency_grid
+from eom.analysis.grid import frequency_grid, undamped_frequencies
 from eom.analysis.roots import is_stable
 from eom.analysis.signals import Channel, ratio_unit, signals
 from eom.assembly.vectors import Array
@@ -22,7 +22,10 @@ if TYPE_CHECKING:
 
 
 class Peak(NamedTuple):
-    """The largest magnitude over a range of frequencies; ``inside`` unless it stands at an end of the range."""
+    """The largest magnitude over a range of frequencies; ``inside`` unless it stands at an end of the range.
+
+    Infinite where an undamped root stands in the range and the channel sees it.
+    """
 
     frequency: float
     value: float
@@ -100,9 +103,13 @@ class FrequencyResponse:
         source = self.model.inputs.index(self.source)
 
         def height(frequency: float) -> float:
-            return -float(np.abs(evaluate(self.model, source, only, np.array([frequency]))[0, 0]))
+            return float(np.abs(evaluate(self.model, source, only, np.array([frequency]))[0, 0]))
 
-        fine = minimize_scalar(height, bounds=ends, method="bounded", options={"xatol": 1e-10 * ends[1]})
+        for pole in undamped_frequencies(self.model):
+            # a pole multiplies by a hundred from one distance to the other
+            if f[0] < pole < f[-1] and height(pole * (1.0 + 1e-6)) > 10.0 * height(pole * (1.0 + 1e-4)):
+                return Peak(float(pole), np.inf, True)
+        fine = minimize_scalar(lambda x: -height(x), bounds=ends, method="bounded", options={"xatol": 1e-10 * ends[1]})
         return Peak(float(fine.x), -float(fine.fun), True) if -fine.fun > found.value else found
 
     def plot(self) -> "Figure":

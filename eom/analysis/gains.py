@@ -5,13 +5,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from eom.analysis.roots import is_stable
+from eom.analysis.roots import is_stable, moving_roots
 from eom.assembly.vectors import Array
 from eom.errors import SingularError
 from eom.model.linear import LinearModel
 
 # of the sum of its terms' sizes: what rounding leaves of a coefficient that is zero
 ROUNDING = 1e-11
+# of the largest root: a root that is zero but for rounding
+ZERO = 1e-14
 
 
 class Parts(NamedTuple):
@@ -73,11 +75,11 @@ def steady_gains(model: LinearModel) -> SteadyGains:
         If a root is zero that no cyclic coordinate explains: the vehicle is on the limit of stability.
     """
     parts = parts_of(model)
-    try:
-        inverse = np.asarray(np.linalg.inv(parts.A), dtype=float)
-    except np.linalg.LinAlgError:
+    sizes = np.abs(moving_roots(model))
+    if np.any(sizes <= ZERO * np.max(sizes, initial=0.0)):
         message = f"{model.name}: has a zero root besides those of its cyclic coordinates: steady gains have no value"
-        raise SingularError(message) from None
+        raise SingularError(message)
+    inverse = np.asarray(np.linalg.inv(parts.A), dtype=float)
     constant, *poles = (
         np.where(np.abs(value) > ROUNDING * size, value, 0.0) for value, size in expansion(parts, inverse)
     )
@@ -95,14 +97,14 @@ def expansion(parts: Parts, inverse: Array) -> list[tuple[Array, Array]]:
     (s I - N)^-1 = I/s + N/s^2 + ...
     """
     orders = range(len(parts.N) + 1)
-    motions = [-inverse @ parts.B]
+    motions, bounds = [-inverse @ parts.B], [np.abs(inverse) @ np.abs(parts.B)]
     for _ in orders[1:]:
         motions.append(inverse @ motions[-1])
-    drives = [parts.E @ motion for motion in motions]
-    sizes = [np.abs(parts.E) @ np.abs(motion) for motion in motions]
+        bounds.append(np.abs(inverse) @ bounds[-1])
+    drives, sizes = [parts.E @ motion for motion in motions], [np.abs(parts.E) @ bound for bound in bounds]
     drives[0], sizes[0] = drives[0] + parts.F, sizes[0] + np.abs(parts.F)
     result = [(np.zeros_like(parts.D), np.zeros_like(parts.D)) for _ in orders]
-    result[0] = parts.D + parts.C @ motions[0], np.abs(parts.D) + np.abs(parts.C) @ np.abs(motions[0])
+    result[0] = parts.D + parts.C @ motions[0], np.abs(parts.D) + np.abs(parts.C) @ bounds[0]
     reach = parts.P
     for integrals in orders[1:]:
         for k in range(integrals + 1):

@@ -43,6 +43,13 @@ def frequency_grid(model: LinearModel, first: float | None = None, last: float |
     return np.unique(np.concatenate([even, near[(near > first) & (near < last)]]))
 
 
+def undamped_frequencies(model: LinearModel) -> Array:
+    """Frequencies [Hz] of the roots that oscillate without damping, where a frequency response is infinite."""
+    roots = moving_roots(model)
+    undamped = roots[(roots.imag > 0.0) & (np.abs(roots.real) <= UNDAMPED * np.abs(roots))]
+    return np.asarray(np.sort(undamped.imag) / (2.0 * np.pi))
+
+
 def time_grid(model: LinearModel) -> Array:
     """Times [s] from zero, evenly spaced, until the slowest motion has decayed or an unstable one has grown.
 

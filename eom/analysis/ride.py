@@ -115,8 +115,8 @@ def road_response(
     Raises
     ------
     AnalysisError
-        Without road inputs, without speed, for an unstable vehicle, unknown outputs or class, or a band that is none;
-        all at once.
+        Without road inputs, without speed, for an unstable vehicle, unknown outputs or class, all at once; for a band
+        that is none.
     """
     model = linearise(vehicle)
     system = vehicle.system

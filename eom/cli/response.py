@@ -14,6 +14,7 @@ from eom.analysis.ride import road_response
 from eom.analysis.transient import TimeResponse, impulse_response, sine_response, step_response
 from eom.cli.request import Options, Plan, understood
 from eom.cli.settings import load_with
+from eom.errors import SingularError
 from eom.model.linear import LinearModel, linearise
 from eom.report import responses as report
 
@@ -34,7 +35,11 @@ def run_response(file: Path, settings: list[str], options: Options) -> None:
     told = report.round_values(float(grid[0]), float(grid[-1]))
     response = frequency_response(model, plan.source, names, np.union1d(grid, told))
     heading = report.heading(model, plan.source, response.stable)
-    blocks = [f"{heading}\n\n{report.summary_table(response, steady_gains(model))}"]
+    try:
+        gains, note = steady_gains(model), ""
+    except SingularError as error:
+        gains, note = None, f"\n{error}"
+    blocks = [f"{heading}\n\n{report.summary_table(response, gains)}{note}"]
     if options.outputs:
         blocks.append(report.frequency_tables(response, told))
     files = [("frequency", report.frequency_columns(response), response.plot())]

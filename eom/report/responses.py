@@ -44,9 +44,11 @@ def heading(model: LinearModel, source: str, stable: bool) -> str:
     return f"{model.name}{speed}: response to {source} [{unit or '-'}]{warning}"
 
 
-def summary_table(response: FrequencyResponse, gains: SteadyGains) -> str:
-    """Steady gain and largest magnitude of each channel; a ratio's gain is that of its gains."""
-    column = gains.values[:, gains.inputs.index(response.source)]
+def summary_table(response: FrequencyResponse, gains: SteadyGains | None) -> str:
+    """Steady gain, if there is one, and largest magnitude of each channel; a ratio's gain is that of its gains."""
+    column = np.full(len(response.model.outputs), np.nan)
+    if gains is not None:
+        column = gains.values[:, gains.inputs.index(response.source)]
     lines = []
     for item, unit, peak in zip(response.channels, response.units, response.peaks(), strict=True):
         with np.errstate(divide="ignore", invalid="ignore"):
