@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
 PRECISION = 1e-8
 SUBDIVISIONS = 20_000
+PER_WAVE, WAVE_POINTS = 16, 4000
 
 
 class Contact(NamedTuple):
@@ -137,7 +138,7 @@ def road_response(
     moving = model.speed or speed or 0.0
     first, last = (n * moving if given is None else given for given, n in zip(band, SPATIAL, strict=True))
     check_range(first, last)
-    frequency = frequency_grid(model, first, last)
+    frequency = road_grid(model, contacts, moving, (first, last))
 
     def densities(f: Array) -> Array:
         return output_psd(model, rows, contacts, (roughness, moving), f)
@@ -155,6 +156,19 @@ def road_response(
         np.sqrt(integral(model, densities, first, last)),
         (first, last),
     )
+
+
+def road_grid(model: LinearModel, contacts: list[Contact], speed: float, band: tuple[float, float]) -> Array:
+    """The model's grid [Hz], close enough besides to show the waves between the first and the last input.
+
+    These repeat every speed/wheelbase; at most 4000 points are spent on them, from the lowest frequency on.
+    """
+    grid = frequency_grid(model, *band)
+    length = max(item.x for item in contacts) - min(item.x for item in contacts)
+    if length == 0.0:
+        return grid
+    waves = band[0] + speed / (PER_WAVE * length) * np.arange(WAVE_POINTS)
+    return np.union1d(grid, waves[waves < band[1]])
 
 
 def is_road(item: Input) -> bool:
