@@ -82,8 +82,14 @@ class FrequencyResponse:
 
     @property
     def phase(self) -> Array:
-        """Phase [rad], positive where the output leads, without jumps of more than pi between frequencies."""
-        return np.unwrap(np.angle(self.values), axis=0)
+        """Phase [rad], positive where the output leads, without jumps of more than pi between frequencies.
+
+        NaN where the value is infinite or not defined.
+        """
+        phase = np.full(self.values.shape, np.nan)
+        for k, known in enumerate(np.isfinite(self.values).T):
+            phase[known, k] = np.unwrap(np.angle(self.values[known, k]))
+        return phase
 
     def peaks(self) -> tuple[Peak, ...]:
         """The largest magnitude of each channel over the range, refined between the frequencies of the grid."""
@@ -172,6 +178,5 @@ def evaluate(model: LinearModel, source: int, channels: tuple[Channel, ...], f: 
     with np.errstate(divide="ignore", invalid="ignore"):
         for item in channels:
             value = every[:, item.over]
-            # numpy's complex quotient of infinities warns and is not a number: the moduli decide there
             columns.append(value if item.under is None else value / every[:, item.under])
     return np.stack(columns, axis=1) if columns else np.empty((len(f), 0), dtype=complex)

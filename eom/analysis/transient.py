@@ -94,6 +94,15 @@ def finished(
     return TimeResponse(model, time, u, x, outputs, none if delta is None else delta, what, is_stable(model))
 
 
+def initial_state(model: LinearModel, initial: ArrayLike | None) -> Array:
+    """The state to start from, rest by default; raises `AnalysisError` for one that does not fit."""
+    x0 = np.zeros(len(model.A)) if initial is None else np.asarray(initial, dtype=float)
+    if x0.shape != (len(model.A),) or not np.all(np.isfinite(x0)):
+        message = f"initial: expected a finite number for each of the {len(model.A)} states, got shape {x0.shape}"
+        raise AnalysisError(message)
+    return x0
+
+
 def from_zero(time: Array) -> tuple[Array, slice]:
     """The times with zero before them, from which the motion starts, and where they are in the result."""
     return (time, slice(0, None)) if time[0] == 0.0 else (np.concatenate([[0.0], time]), slice(1, None))
@@ -185,7 +194,7 @@ def sine_response(
     angle = 2.0 * np.pi * frequency * (t - start)
     active = (t >= start) & (t < end)
     xi = np.where(active, amplitude * np.array([np.sin(angle), np.cos(angle)]), 0.0).T
-    x0 = np.zeros(len(model.A)) if initial is None else np.asarray(initial, dtype=float)
+    x0 = initial_state(model, initial)
     x = march(model.A, model.B, sine(len(model.inputs), column, frequency), t, xi, x0)
     u = np.zeros((len(t), len(model.inputs)))
     u[:, column] = xi[:, 0]
@@ -241,5 +250,5 @@ def forced_response(
     drive, starts = held(u.shape[1]), u[:-1]
     if between == "linear":
         drive, starts = straight(u.shape[1]), np.hstack([u[:-1], np.diff(u, axis=0) / np.diff(t)[:, np.newaxis]])
-    x0 = np.zeros(len(model.A)) if initial is None else np.asarray(initial, dtype=float)
+    x0 = initial_state(model, initial)
     return finished(model, t, u, march(model.A, model.B, drive, t - t[0], starts, x0), "given inputs")

@@ -18,8 +18,6 @@ from tests.vehicles.shipped import NAMES, vehicle
 def test_responses_of_shipped_vehicles_are_those_of_python_control(name: str) -> None:
     model = eom.linearise(vehicle(name))
     reduced = model.without_cyclic()
-    if not reduced.outputs:
-        pytest.skip("no output to compare")
     source = model.inputs[0]
     response = frequency_response(model, source, reduced.outputs)
     other = control.ss(reduced.A, reduced.B[:, [0]], reduced.C, reduced.D[:, [0]])
@@ -156,6 +154,16 @@ def test_the_picture_has_a_panel_for_each_unit_and_one_for_phase() -> None:
     figure = frequency_response(model, "axle_1.steer", names).plot()
     assert [axes.get_ylabel() for axes in figure.axes] == ["m/s^2 per rad", "rad/s per rad", "ratio [-]", "phase [deg]"]
     assert [len(axes.lines) for axes in figure.axes] == [2, 1, 1, 4]
+
+
+def test_an_infinite_value_at_zero_leaves_the_other_phases_alone() -> None:
+    """An integrator behind a lag: the phase starts at -90 degrees, which zero frequency itself does not have."""
+    model = model_of(np.array([[0.0, 1.0], [0.0, -1.0]]), np.array([[0.0], [1.0]]), np.eye(2), cyclic=(0,))
+    response = frequency_response(model, "u0", ["y0", "y0/y1", "y1/y0"], [0.0, 1e-6, 1e-3])
+    assert response.magnitude[0] == pytest.approx([np.inf, np.inf, 0.0])
+    assert np.isnan(response.phase[0, :2]).all()
+    assert response.phase[1] == pytest.approx(np.array([-0.5, -0.5, 0.5]) * np.pi, abs=1e-4)
+    assert np.isfinite(response.phase[1:]).all()
 
 
 def test_the_columns_of_a_response_are_the_outputs_asked_for() -> None:

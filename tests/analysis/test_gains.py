@@ -13,15 +13,13 @@ from tests.analysis.random_models import drifting_models, model_of, stable_model
 from tests.assembly.systems import PHASES
 from tests.vehicles.shipped import NAMES, text, vehicle
 
-SETTLED = [name for name in NAMES if name not in {"disc", "shimmy", "spinning_top"}]
+SETTLED = [name for name in NAMES if name not in {"disc", "spinning_top"}]
 
 
 @pytest.mark.parametrize("name", SETTLED)
 def test_steady_gains_of_shipped_vehicles_are_those_of_python_control(name: str) -> None:
     model = eom.linearise(vehicle(name))
     reduced = model.without_cyclic()
-    if not model.inputs or not reduced.outputs:
-        pytest.skip("nothing to compare")
     expected = np.reshape(control.ss(reduced.A, reduced.B, reduced.C, reduced.D).dcgain(), reduced.D.shape)
     gains = steady_gains(model)
     found = np.array([[gains.of(output, source) for source in model.inputs] for output in reduced.outputs])

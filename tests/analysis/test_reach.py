@@ -66,8 +66,8 @@ def test_a_mode_is_seen_through_cyclic_states_as_its_full_eigenvector_is(model: 
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_the_cosine_is_the_share_of_the_residue(name: str) -> None:
-    """A mode whose residue between a signal pair is not rounding is moved by the one and seen by the other."""
+def test_an_input_with_a_share_in_a_mode_is_not_told_to_be_out_of_reach(name: str) -> None:
+    """By the rows of the eigenvectors' inverse, for modes whose root stands alone."""
     model = eom.linearise(vehicle(name))
     reach = modal_reach(model)
     reduced = model.without_cyclic()

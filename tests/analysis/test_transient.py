@@ -194,7 +194,19 @@ def test_every_mistake_of_a_table_of_inputs_gets_its_sentence() -> None:
     assert lines[0] == "input front_left_rod: there is no such input; did you mean 'front_left_road'?"
     assert lines[1].startswith("times: expected finite numbers in s")
     assert lines[2] == "input rear_left_road: expected a finite number for each of the 3 samples"
+    with pytest.raises(eom.AnalysisError, match="expected a finite number for each of the 14 states"):
+        forced_response(model, [0.0, 1.0], {}, initial=[1.0, 2.0])
     with pytest.raises(eom.AnalysisError, match="expected zero or later"):
         step_response(model, "rear_left_road", [-1.0, 1.0])
     with pytest.raises(eom.AnalysisError, match="expected all positive"):
         sine_response(model, "rear_left_road", -1.0)
+
+
+def test_a_system_without_states_passes_its_inputs_through() -> None:
+    empty = np.zeros((0, 0))
+    model = model_of(empty, np.zeros((0, 1)), np.zeros((1, 0)), np.array([[3.0]]))
+    t = np.array([0.0, 0.4, 1.0])
+    assert forced_response(model, t, {"u0": [1.0, 2.0, -1.0]}).of("y0") == pytest.approx([3.0, 6.0, -3.0])
+    assert step_response(model, "u0", t).of("y0") == pytest.approx([3.0, 3.0, 3.0])
+    assert steady_gains(model).values == pytest.approx(np.array([[3.0]]))
+    assert frequency_response(model, "u0").magnitude == pytest.approx(3.0)
