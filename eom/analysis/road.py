@@ -8,7 +8,7 @@ from eom.assembly.vectors import Array
 REFERENCE = 0.1
 """Spatial frequency n0 of the classes [1/m]."""
 SPATIAL = (0.01, 10.0)
-"""Range of spatial frequency over which the standard draws the classes [1/m]."""
+"""Range of spatial frequency over which the classes are commonly drawn [1/m]."""
 CLASSES = {name: 16e-6 * 4.0**k for k, name in enumerate("ABCDEFGH")}
 """Geometric mean of the displacement PSD at n0 by class [m^3]."""
 
@@ -16,7 +16,7 @@ CLASSES = {name: 16e-6 * 4.0**k for k, name in enumerate("ABCDEFGH")}
 def displacement_psd(roughness: float, n: ArrayLike) -> Array:
     """One-sided PSD of a track's height over spatial frequency *n* [1/m]: G_d(n0) (n/n0)^-2 [m^3].
 
-    *roughness* is G_d(n0) [m^3]. Source: ISO 8608:2016, annex B and table C.1.
+    *roughness* is G_d(n0) [m^3]. Source: ISO 8608, classification by displacement.
     """
     return np.asarray(roughness * (np.asarray(n, dtype=float) / REFERENCE) ** -2)
 

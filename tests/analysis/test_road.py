@@ -20,7 +20,7 @@ ENDLESS = (1e-7, 1e7)
 
 
 def test_the_classes_are_those_of_iso_8608() -> None:
-    """Table C.1: geometric means of G_d(n0) in 1e-6 m^3, and class limits twice and half of them."""
+    """Geometric means of G_d(n0) in 1e-6 m^3, as the standard's table of classes prints them."""
     printed = dict(zip("ABCDEFGH", (16, 64, 256, 1024, 4096, 16384, 65536, 262144), strict=True))
     assert {name: value * 1e6 for name, value in CLASSES.items()} == pytest.approx(printed)
     assert displacement_psd(CLASSES["C"], [0.1, 1.0]) == pytest.approx([256e-6, 2.56e-6])
@@ -78,8 +78,8 @@ def test_a_quarter_car_vibrates_as_lyapunovs_equation_says(changes: dict[str, fl
 def test_a_quarter_car_has_the_variances_of_the_textbooks() -> None:
     """Closed forms without tyre damping.
 
-    S is the road rate's two-sided PSD. Source: S. Turkay and H. Akcay, A study of random vibration characteristics of
-    the quarter-car model, J. Sound and Vibration 282 (2005), whose residues these are.
+    S is the road rate's two-sided PSD. See S. Turkay and H. Akcay, A study of random vibration characteristics of the
+    quarter-car model, J. Sound and Vibration 282 (2005).
     """
     m_s, m_u, k_s, c_s, k_t = 300.0, 40.0, 20e3, 1500.0, 200e3
     S = 2.0 * np.pi**2 * CLASSES["B"] * 0.1**2 * SPEED
