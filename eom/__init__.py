@@ -6,6 +6,9 @@ The public names are loaded on first use, so that importing the package costs no
 from typing import TYPE_CHECKING, Any
 
 from eom.errors import (
+    AnalysisError as AnalysisError,
+)
+from eom.errors import (
     DescriptionError as DescriptionError,
 )
 from eom.errors import (
@@ -60,5 +63,5 @@ def __getattr__(name: str) -> Any:
 
 def __dir__() -> list[str]:
     """The public names."""
-    errors = ("EomError", "DescriptionError", "EquilibriumError", "MechanismError", "OutputError", "SingularError")
+    errors = (name for name in globals() if name.endswith("Error"))
     return sorted([*PUBLIC, *errors])

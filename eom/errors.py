@@ -56,6 +56,10 @@ class OutputError(EomError):
     """An output that no proper state space can give."""
 
 
+class AnalysisError(EomError):
+    """An analysis that cannot be done as asked, or that has no result; a sentence for every mistake."""
+
+
 class MechanismError(EomError):
     """A mechanism that cannot be driven as asked; ``partial`` holds what was computed until then, if anything."""
 

@@ -1,4 +1,4 @@
-"""Command line: ``eom check``, ``eom build``, ``eom modes``, ``eom kinematics``, ``eom schema``."""
+"""Command line: ``eom`` with ``check``, ``build``, ``modes``, ``kinematics``, ``response``, ``schema``."""
 
 import sys
 

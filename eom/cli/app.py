@@ -97,6 +97,44 @@ def kinematics(
 
 
 @app.command()
+def response(
+    file: File,
+    settings: Set = None,
+    source: Annotated[
+        str | None, typer.Option("--input", metavar="INPUT", help="The input; the vehicle's first one by default.")
+    ] = None,
+    outputs: Annotated[
+        list[str] | None,
+        typer.Option("--output", metavar="OUTPUT[/OUTPUT]", help="An output, or the ratio of two; may be repeated."),
+    ] = None,
+    first: Annotated[str | None, typer.Option("--from", metavar="FREQUENCY", help="Lowest frequency, in Hz.")] = None,
+    last: Annotated[str | None, typer.Option("--to", metavar="FREQUENCY", help="Highest frequency, in Hz.")] = None,
+    time: Annotated[
+        str | None, typer.Option(metavar="KIND", help="Also in time: step, impulse or one sine, e.g. sine:0.4Hz.")
+    ] = None,
+    amplitude: Annotated[
+        str | None, typer.Option(metavar="VALUE", help="Of the input in time, e.g. 2deg; 1 in SI units by default.")
+    ] = None,
+    duration: Annotated[str | None, typer.Option(metavar="TIME", help="Of the response in time, e.g. 8s.")] = None,
+    road: Annotated[
+        str | None, typer.Option(metavar="CLASS", help="Also on a random road of ISO 8608, A to H.")
+    ] = None,
+    speed: Annotated[
+        str | None, typer.Option(metavar="SPEED", help="On the road, for a vehicle without trim speed, e.g. 20m/s.")
+    ] = None,
+    out: Annotated[
+        Path | None, typer.Option("--out", metavar="FOLDER", help="Write numbers (.csv) and pictures (.png, .svg).")
+    ] = None,
+) -> None:
+    """Respond to an input: over frequency, steady, in time, on a random road."""
+    from eom.cli.request import Options  # noqa: PLC0415
+    from eom.cli.response import run_response  # noqa: PLC0415
+
+    options = Options(source, outputs or [], first, last, time, amplitude, duration, road, speed, out)
+    run_response(file, settings or [], options)
+
+
+@app.command()
 def schema() -> None:
     """Print the JSON Schema of vehicle files, with which an editor completes and checks them."""
     import json  # noqa: PLC0415

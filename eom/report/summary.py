@@ -5,13 +5,13 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from eom.analysis.loads import TrimLoads, trim_loads
 from eom.assembly.diagnosis import locked_joints, redundant_joints, redundant_locks, some
 from eom.assembly.elastic import elastic_items
 from eom.assembly.statics import self_stresses
 from eom.assembly.vectors import Array
 from eom.model.assembly import Assembly
 from eom.model.linear import state_names
-from eom.report.loads import TrimLoads, trim_loads
 from eom.report.table import table
 
 # groups of redundant joints that a reader can take in

@@ -76,7 +76,7 @@ def test_the_joints_damper_takes_power_from_bending_alone() -> None:
 
 
 def test_axles_and_joint_carry_the_weight_by_the_levers() -> None:
-    from eom.report.loads import trim_loads
+    from eom.analysis.loads import trim_loads
 
     loads = trim_loads(eom.assemble(vehicle("articulated_bus")))
     g = 9.81

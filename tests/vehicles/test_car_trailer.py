@@ -115,7 +115,7 @@ def test_the_steady_turn_obeys_the_balances_of_forces_and_levers(speed: float) -
 
 
 def test_axles_and_ball_carry_the_weight_by_the_levers() -> None:
-    from eom.report.loads import trim_loads
+    from eom.analysis.loads import trim_loads
 
     loads = trim_loads(eom.assemble(vehicle("car_trailer")))
     ball = 1300.0 * 9.81 * 0.1 / 4.0

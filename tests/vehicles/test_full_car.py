@@ -97,7 +97,7 @@ def test_the_car_rises_as_a_whole_on_a_higher_road() -> None:
 
 
 def test_springs_and_tyres_carry_the_weight_by_the_levers() -> None:
-    from eom.report.loads import trim_loads
+    from eom.analysis.loads import trim_loads
 
     loads = trim_loads(eom.assemble(vehicle("full_car")))
     front, rear = (1400.0 * 9.81 * lever / 2.7 / 2.0 for lever in (1.5, 1.2))

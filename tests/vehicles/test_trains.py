@@ -166,7 +166,7 @@ def with_axle_supports() -> str:
 
 
 def test_loads_of_a_train_on_its_axle_groups_are_those_of_the_levers() -> None:
-    from eom.report.loads import trim_loads
+    from eom.analysis.loads import trim_loads
 
     loads = trim_loads(eom.assemble(eom.loads(with_axle_supports())))
     # levers over the hitches by hand; published for this data to 0.1 N
@@ -185,7 +185,7 @@ def test_loads_of_a_train_on_its_axle_groups_are_those_of_the_levers() -> None:
 
 
 def test_loads_of_the_tractor_semitrailer_are_those_of_its_table() -> None:
-    from eom.report.loads import trim_loads
+    from eom.analysis.loads import trim_loads
 
     loads = trim_loads(eom.assemble(vehicle("tractor_semitrailer_yaw_plane")))
     # levers over Table A1's places by hand, g = 9.8

@@ -61,7 +61,7 @@ def test_rearward_amplification_is_that_of_the_independent_derivation() -> None:
 
 
 def test_the_drawbar_lies_half_on_the_hook_and_axles_carry_the_rest_by_the_levers() -> None:
-    from eom.report.loads import trim_loads
+    from eom.analysis.loads import trim_loads
 
     loads = trim_loads(eom.assemble(vehicle("truck_full_trailer")))
     g = 9.81

@@ -1,0 +1,28 @@
+"""Whether the roots decay that are not the exact zeros of cyclic coordinates."""
+
+import numpy as np
+
+from eom.model.linear import LinearModel
+from eom.model.modes import Complex
+
+# of the largest root: real parts that are rounding
+ROUNDING = 1e-12
+
+
+def moving_roots(model: LinearModel) -> Complex:
+    """Roots without the exact zeros of cyclic coordinates [1/s]."""
+    kept = np.setdiff1d(np.arange(len(model.A)), model.cyclic)
+    return np.linalg.eigvals(model.A[np.ix_(kept, kept)]).astype(complex)
+
+
+def decaying(roots: Complex) -> np.ndarray:
+    """Which roots have a negative real part, rounding left out."""
+    return np.asarray(roots.real < -ROUNDING * np.max(np.abs(roots), initial=0.0))
+
+
+def is_stable(model: LinearModel) -> bool:
+    """Whether every motion decays, but for drift along cyclic coordinates.
+
+    Where it does not, a steady gain or a frequency response is formal: no motion settles to it.
+    """
+    return bool(np.all(decaying(moving_roots(model))))
