@@ -98,7 +98,7 @@ def slip_angles(p: BTrainYawPlane, x: Array, delta_11: float) -> Array:
         for axles, beta, psi_dot in zip(p.axles, x[1::2], x[2::2], strict=True)
         for axle in axles
     ]
-    return np.array([delta_11, *[0.0] * 8]) - np.array(travel)
+    return np.asarray(np.array([delta_11, *[0.0] * 8]) - np.array(travel))
 
 
 def rates(p: BTrainBraked, x: Array, F_y: Array, controls: Controls, *, cornering_drag: bool) -> Array:
