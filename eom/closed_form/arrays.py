@@ -13,9 +13,9 @@ Array = NDArray[Any]
 
 
 def matrix(rows: Sequence[Any] | Array) -> Array:
-    """An array of floats, or of objects if an entry is none of Python's or NumPy's numbers."""
+    """An array of floats, or of objects if an entry is none of Python's or NumPy's numbers; complex stays complex."""
     array = np.array(rows)
-    return array if array.dtype == object else array.astype(float)
+    return array.astype(float) if array.dtype.kind == "i" else array
 
 
 def solve(left: Array, right: Array, name: str) -> Array:

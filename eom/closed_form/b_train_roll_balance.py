@@ -6,7 +6,9 @@ A balance is a row of numbers. Row times (dx/dt, x, delta_11, u) is what the cou
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
-from eom.closed_form.arrays import Array, matrix
+import numpy as np
+
+from eom.closed_form.arrays import Array
 from eom.closed_form.b_train_roll_parameters import BTrainYawRoll
 from eom.closed_form.tyre_derivatives import TyreDerivatives, tyre_derivatives
 
@@ -66,7 +68,7 @@ def row(entries: Mapping[str, Any]) -> Array:
     values: list[Any] = [0] * len(COLUMNS)
     for name, value in entries.items():
         values[COLUMNS.index(name)] = value
-    return matrix(values)
+    return np.array(values)
 
 
 def units(p: BTrainYawRoll, U: float) -> tuple[Unit, Unit, Unit]:

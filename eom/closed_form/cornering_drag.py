@@ -52,4 +52,5 @@ def force_along_tractor(p: BTrainYawPlane, U: float, x_p: Array, x_p_dot: Array,
         + (p.m2 * p.l_c21 + p.m3 * (p.l_c21 + p.l_c22)) * (psi_dot[1] ** 2 + Gamma_2 * psi_ddot[1])
         + p.m3 * p.l_c3 * (psi_dot[2] ** 2 + Gamma_3 * psi_ddot[2])
     )
-    return float(tyres - inertia)
+    force: float = tyres - inertia
+    return force

@@ -63,7 +63,7 @@ def planar_train(units: Sequence[Unit]) -> PlanarKane:
     psi, *Gamma = angles = me.dynamicsymbols(f"psi Gamma2:{count + 1}")
     F_x, F_y, delta = (list(sp.symbols(f"{name}1:{axles + 1}")) for name in ("Fx_", "Fy_", "delta_"))
     M_z = list(sp.symbols(f"Mz_1:{count + 1}"))
-    N, t = me.ReferenceFrame("N"), me.dynamicsymbols._t
+    N, t = me.ReferenceFrame("N"), sp.Symbol("t")
     first = N.orientnew("F1", "Axis", (psi, N.z))
     first.set_ang_vel(N, r[0] * N.z)
     frames = [first]
@@ -71,7 +71,10 @@ def planar_train(units: Sequence[Unit]) -> PlanarKane:
         frame = first.orientnew(f"F{k + 1}", "Axis", (angle, N.z))
         frame.set_ang_vel(N, r[k] * N.z)
         frames.append(frame)
-    bodies, loads, centres, contacts = [], [], [], []
+    bodies: list[Any] = []
+    loads: list[Any] = []
+    centres: list[Any] = []
+    contacts: list[Any] = []
     for k, (unit, frame) in enumerate(zip(units, frames, strict=True)):
         centre = me.Point(f"G{k + 1}")
         if k == 0:
@@ -129,7 +132,7 @@ class LinearTrain(NamedTuple):
 def linear(train: PlanarKane, units: Sequence[Unit], speed: Any) -> LinearTrain:
     """A train's equations to first order, its tyres giving C (delta - direction of travel)."""
     U, *lateral = train.speeds
-    t = me.dynamicsymbols._t
+    t = sp.Symbol("t")
     stiffness = sp.diag(*(C for unit in units for C, _ in unit.axles))
     alpha = [steer - travel for steer, travel in zip(train.delta, train.travel, strict=True)]
     z, u = [*lateral, *train.articulations], [*train.delta, *train.M_z]

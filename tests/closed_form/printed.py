@@ -357,8 +357,8 @@ CORRECTED = {
         4,2: 0
         4,3: -(b23 + l_c21)
     """,
-    # (1,2): row 1 is -(3.21b) - l_c1 (3.21a), with the product of inertia. (3,14), (9,11) .. (10,11): lost lines. (6,10),
-    # (6,11): F_cy2 acts on the first semitrailer, at h_cr2. The rest: indices.
+    # (1,2): row 1 is -(3.21b) - l_c1 (3.21a), with the product of inertia. (3,14), (9,11) .. (10,11): lost lines.
+    # (6,10), (6,11): F_cy2 acts on the first semitrailer, at h_cr2. The rest: indices.
     "C.M": """
         1,2: I_sxz1 - l_c1*m_s1*(h_s1 - h_r1)
         3,14: -(I_u1xx + m_u1*(h_u1 - h_r1)**2)

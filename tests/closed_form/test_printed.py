@@ -74,9 +74,7 @@ def test_every_element_is_the_printed_one_or_its_correction(name: str) -> None:
     matrix, symbols = OWN[name]
     expected = elements(PRINTED[name], symbols) | elements(CORRECTED.get(name, ""), symbols)
     ours = own_elements(matrix)
-    wrong = [
-        place for place in expected.keys() | ours.keys() if not equal(ours.get(place, 0), expected.get(place, 0))
-    ]
+    wrong = [place for place in expected.keys() | ours.keys() if not equal(ours.get(place, 0), expected.get(place, 0))]
     assert not wrong
 
 
@@ -84,9 +82,7 @@ def test_every_element_is_the_printed_one_or_its_correction(name: str) -> None:
 def test_every_correction_differs_from_the_print(name: str) -> None:
     _, symbols = OWN[name]
     printed = elements(PRINTED[name], symbols)
-    idle = [
-        place for place, value in elements(CORRECTED[name], symbols).items() if equal(value, printed.get(place, 0))
-    ]
+    idle = [place for place, value in elements(CORRECTED[name], symbols).items() if equal(value, printed.get(place, 0))]
     assert not idle
 
 

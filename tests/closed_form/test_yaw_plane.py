@@ -81,7 +81,7 @@ def test_the_b_train_is_kanes_exactly(p: BTrainYawPlane, speed: sp.Integer) -> N
 
 
 def b_train_states(kane: Numbers) -> Any:
-    """x = beta_1, psi_dot_1, beta_2 .. by z = V_1, r_1, r_2, r_3, Gamma_2, Gamma_3."""
+    """The states beta_1, psi_dot_1, beta_2 .. by z = V_1, r_1, r_2, r_3, Gamma_2, Gamma_3."""
     r = unit_rows(6, 1, 2, 3)
     return sp.Matrix.vstack(*(rows[i, :] for i in range(3) for rows in (kane.sideslip, r)))
 
