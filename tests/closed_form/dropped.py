@@ -1,8 +1,8 @@
 """What the thesis drops from the yaw-roll matrices: full less thesis, element by element, by the kind of the term.
 
-The notation is that of `printed`. Rows are combinations of balances: 1 is -(yaw 1 + l_c1 side 1), 2 is roll 1 -
-h_cr1 side 1, 3 is -tyre roll 1, 4 is the sum of the sides, 5 is yaw 2 + l_c21 side 1 - l_c22 side 3, 6 is roll 2 + h_cr2 (side
-1 + side 3), 7 is -tyre roll 2, 8 is -(yaw 3 - l_c3 side 3), 9 is roll 3 - h_cr3 side 3, 10 is tyre roll 3.
+The notation is that of `printed`. Rows are combinations of balances: 1 is -(yaw 1 + l_c1 side 1), 2 is roll 1 - h_cr1
+side 1, 3 is -tyre roll 1, 4 is the sum of the sides, 5 is yaw 2 + l_c21 side 1 - l_c22 side 3, 6 is roll 2 + h_cr2
+(side 1 + side 3), 7 is -tyre roll 2, 8 is -(yaw 3 - l_c3 side 3), 9 is roll 3 - h_cr3 side 3, 10 is tyre roll 3.
 """
 
 UNSPRUNG_ROLL_IN_THE_SIDE_BALANCE = """
