@@ -26,7 +26,7 @@ def solve(left: Array, right: Array, name: str) -> Array:
     EomError
         If an entry is a symbol, or *left*, called *name*, is singular.
     """
-    if object in {left.dtype, right.dtype}:
+    if np.dtype(object) in {left.dtype, right.dtype}:
         raise EomError(
             f"{name}: expected numbers to solve with, got symbols; 'matrices' is the function that takes them"
         )
