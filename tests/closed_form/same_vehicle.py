@@ -1,4 +1,4 @@
-"""One vehicle, two descriptions: a shipped file's parameters by those of the hand-derived model, and random sets of both.
+"""One vehicle, two descriptions: a file's parameters by those of the hand-derived model, and random sets of both.
 
 In a file, places are in the frame of the unit, x forward from the tractor's front axle or the semitrailer's kingpin.
 """
@@ -19,26 +19,38 @@ def tractor_semitrailer_values(p: TractorSemitrailer) -> Values:
     """Parameters of ``tractor_semitrailer_yaw_plane.yaml``."""
     rear, axle = -(p.a11 + p.b12), -(p.l_c21 + p.b23)
     return {
-        **{"tractor_frame.mass": p.m1, "tractor_frame.at.x": -p.a11},
-        **{"tractor_frame.inertia.zz": p.I_zz1, "tractor_frame.inertia.yy": p.I_zz1},
-        **{"axle_2.x": rear, "tractor_rear.support.at.x": rear},
+        "tractor_frame.mass": p.m1,
+        "tractor_frame.at.x": -p.a11,
+        "tractor_frame.inertia.zz": p.I_zz1,
+        "tractor_frame.inertia.yy": p.I_zz1,
+        "axle_2.x": rear,
+        "tractor_rear.support.at.x": rear,
         "fifth_wheel.at.tractor.x": -(p.a11 + p.l_c1),
-        **{"semitrailer_frame.mass": p.m2, "semitrailer_frame.at.x": -p.l_c21},
-        **{"semitrailer_frame.inertia.zz": p.I_zz2, "semitrailer_frame.inertia.yy": p.I_zz2},
-        **{"axle_3.x": axle, "semitrailer_rear.support.at.x": axle},
-        **{"front.cornering": p.C_f11, "rear.cornering": p.C_r12, "trailer.cornering": p.C_r23},
+        "semitrailer_frame.mass": p.m2,
+        "semitrailer_frame.at.x": -p.l_c21,
+        "semitrailer_frame.inertia.zz": p.I_zz2,
+        "semitrailer_frame.inertia.yy": p.I_zz2,
+        "axle_3.x": axle,
+        "semitrailer_rear.support.at.x": axle,
+        "front.cornering": p.C_f11,
+        "rear.cornering": p.C_r12,
+        "trailer.cornering": p.C_r23,
     }
 
 
 def train_values(p: BTrainYawPlane) -> Values:
     """What both B-train files have in common: axles, couplings and tyres."""
     return {
-        **{"axle_2.x": -(p.a11 + p.b12), "axle_3.x": -(p.a11 + p.b13)},
+        "axle_2.x": -(p.a11 + p.b12),
+        "axle_3.x": -(p.a11 + p.b13),
         **{f"axle_{k}.x": -(p.l_c21 + b) for k, b in ((4, p.b24), (5, p.b25), (6, p.b26))},
         **{f"axle_{k}.x": -(p.l_c3 + b) for k, b in ((7, p.b37), (8, p.b38), (9, p.b39))},
         "fifth_wheel_1.at.tractor.x": -(p.a11 + p.l_c1),
         "fifth_wheel_2.at.semitrailer_1.x": -(p.l_c21 + p.l_c22),
-        **{"steer.cornering": p.C1, "drive.cornering": p.C2, "trailer_1.cornering": p.C4, "trailer_2.cornering": p.C7},
+        "steer.cornering": p.C1,
+        "drive.cornering": p.C2,
+        "trailer_1.cornering": p.C4,
+        "trailer_2.cornering": p.C7,
     }
 
 
@@ -74,9 +86,12 @@ def yaw_roll_values(p: BTrainYawRoll) -> Values:
     values |= {
         "tractor_suspension.roll_stiffness": p.K_r1f + p.K_r1r,
         "tractor_suspension.roll_damping": p.L_r1f + p.L_r1r,
-        **{"tractor_front.roll_stiffness": p.K_t1f, "tractor_tandem.roll_stiffness": p.K_t1r},
-        **{"semitrailer_1.K_r": p.K_r2, "semitrailer_1.K_t": p.K_t2},
-        **{"semitrailer_2.K_r": p.K_r3, "semitrailer_2.K_t": p.K_t3},
+        "tractor_front.roll_stiffness": p.K_t1f,
+        "tractor_tandem.roll_stiffness": p.K_t1r,
+        "semitrailer_1.K_r": p.K_r2,
+        "semitrailer_1.K_t": p.K_t2,
+        "semitrailer_2.K_r": p.K_r3,
+        "semitrailer_2.K_t": p.K_t3,
         "semitrailer_1_tridem_suspension.roll_damping": p.L_r2,
         "semitrailer_2_tridem_suspension.roll_damping": p.L_r3,
     }
@@ -93,12 +108,19 @@ def body_values(p: BTrainYawRoll, i: int, unit: str, x: float, x_sprung: float) 
     ahead_u = -m_s * ahead_s / m_u
     I_szz = getattr(p, f"I_zz{i}") - AXLES_I_ZZ - m_s * ahead_s**2 - m_u * ahead_u**2
     return {
-        **{f"{unit}_frame.mass": m_s, f"{unit}_frame.at.x": -x_sprung, f"{unit}_frame.at.z": getattr(p, f"h_s{i}")},
-        **{f"{unit}_frame.inertia.zz": I_szz, f"{unit}_frame.inertia.yy": I_szz},
+        f"{unit}_frame.mass": m_s,
+        f"{unit}_frame.at.x": -x_sprung,
+        f"{unit}_frame.at.z": getattr(p, f"h_s{i}"),
+        f"{unit}_frame.inertia.zz": I_szz,
+        f"{unit}_frame.inertia.yy": I_szz,
         # a product of inertia with z changes its sign with the axes
-        **{f"{unit}_frame.inertia.xx": getattr(p, f"I_sxx{i}"), f"{unit}_frame.inertia.xz": -getattr(p, f"I_sxz{i}")},
-        **{f"{unit}_axles.mass": m_u, f"{unit}_axles.at.x": ahead_u - x, f"{unit}_axles.at.z": getattr(p, f"h_u{i}")},
-        **{f"{unit}_axles.inertia.zz": AXLES_I_ZZ, f"{unit}_axles.inertia.yy": AXLES_I_ZZ},
+        f"{unit}_frame.inertia.xx": getattr(p, f"I_sxx{i}"),
+        f"{unit}_frame.inertia.xz": -getattr(p, f"I_sxz{i}"),
+        f"{unit}_axles.mass": m_u,
+        f"{unit}_axles.at.x": ahead_u - x,
+        f"{unit}_axles.at.z": getattr(p, f"h_u{i}"),
+        f"{unit}_axles.inertia.zz": AXLES_I_ZZ,
+        f"{unit}_axles.inertia.yy": AXLES_I_ZZ,
         f"{unit}_axles.inertia.xx": getattr(p, f"I_u{i}xx"),
         f"{unit}_ride.at.x": -x,
     }

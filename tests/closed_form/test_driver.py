@@ -36,7 +36,7 @@ def test_its_characteristic_polynomial_is_that_of_the_yaw_plane_and_six_roots_of
     np.testing.assert_allclose(whole, [*plane, *np.zeros(6)], atol=1e-9 * np.max(np.abs(plane)))
 
 
-def kinematics(p: BTrainYawPlane, U: float, x: Array) -> Array:
+def kinematics(p: BTrainYawPlane, x: Array) -> Array:
     """Lateral places of the tractor's front axle and the semitrailers' centres, from place and headings of the train.
 
     (Y_1, psi_1, psi_2, psi_3) are enough: the couplings place the rest.
@@ -55,7 +55,7 @@ def test_a_train_that_starts_straight_and_is_steered_stays_one_train() -> None:
 
     end = solve_ivp(run, (0.0, 5.0), np.zeros(12), rtol=1e-10, atol=1e-12).y[:, -1]
     # the integration's tolerance, over places of some metres
-    np.testing.assert_allclose(C_d @ end, kinematics(p, U, end), atol=1e-7)
+    np.testing.assert_allclose(C_d @ end, kinematics(p, end), atol=1e-7)
     assert abs(end[0]) > 0.1
 
 

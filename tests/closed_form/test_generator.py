@@ -7,8 +7,8 @@ map x = T z, and inputs u_SAE = S u_ISO, both say the same if for every z and u
     T (A z + B u) = A_x T z + B_x S u.
 
 T has a column for every state of the generated model. Those of its cyclic states, the train's place and heading, are
-zero: nothing depends on them, and the thesis has no such states. The rest of T is square and regular, so that nothing of
-the generated model is lost either.
+zero: nothing depends on them, and the thesis has no such states. The rest of T is square and regular, so that nothing
+of the generated model is lost either.
 """
 
 from typing import Any, NamedTuple
@@ -137,8 +137,10 @@ STEER = {"delta_11": "axle_1.steer"} | {f"delta_{k}": f"axle_{k}.steer" for k in
 YAW_MOMENTS = {"M_z_2": "semitrailer_1.yaw_moment", "M_z_3": "semitrailer_2.yaw_moment"}
 ROLL_MOMENTS = {
     # two moments of the thesis act on the same pair of bodies
-    **{"M_x_1f": "tractor.roll_moment", "M_x_1r": "tractor.roll_moment"},
-    **{"M_x_2": "semitrailer_1.roll_moment", "M_x_3": "semitrailer_2.roll_moment"},
+    "M_x_1f": "tractor.roll_moment",
+    "M_x_1r": "tractor.roll_moment",
+    "M_x_2": "semitrailer_1.roll_moment",
+    "M_x_3": "semitrailer_2.roll_moment",
 }
 INPUTS = STEER_OF_THE_SHORT_TRAIN | STEER | YAW_MOMENTS | ROLL_MOMENTS
 
