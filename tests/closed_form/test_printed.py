@@ -99,6 +99,14 @@ def test_the_yaw_plane_b_train_has_its_published_roots_at_110_kmh() -> None:
         assert np.min(np.abs(roots - published)) < 0.8e-4
 
 
+def test_the_tractor_semitrailers_gains_at_150_kmh_are_those_of_table_4_5() -> None:
+    model = tractor_semitrailer.state_space(TractorSemitrailer(), 150.0 / 3.6)
+    s = 2j * np.pi * 0.01  # the table's first row: measured over one cycle of 0.01 Hz
+    response = model.C @ np.linalg.solve(s * np.eye(4) - model.A, model.B[:, 0]) + model.D[:, 0]
+    # four printed digits, with what is left of the transient in a single cycle; g = 9.8 m/s^2 as in the thesis
+    assert np.abs(response) / 9.8 == pytest.approx([7.478, 7.481], rel=2e-4)
+
+
 def test_without_the_lost_element_the_yaw_roll_mass_matrix_has_no_inverse() -> None:
     M = b_train_yaw_roll.matrices(BTrainYawRoll(), 30.0, "thesis").M
     assert np.linalg.matrix_rank(M) == 18
