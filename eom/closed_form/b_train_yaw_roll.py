@@ -25,6 +25,7 @@ from eom.errors import EomError
 
 Variant = Literal["thesis", "full"]
 OUTPUTS = ("a_y_1", "a_y_2", "a_y_3", "phi_1", "phi_t_1", "phi_2", "phi_t_2", "phi_3", "phi_t_3")
+YAW_RATES = ("psi_dot_1", "psi_dot_2", "psi_dot_3")
 OUTPUTS_CG = ("a_y_cg_1", "a_y_cg_2", "a_y_cg_3")
 
 
@@ -134,7 +135,7 @@ def system(p: BTrainYawRoll, U: float, variant: Variant = "full") -> System:
     A = -solve(M, N, "M")
     B_dd, B = -solve(M, Q, "M"), -solve(M, np.hstack([W, R]), "M")
     S, P = (np.eye(len(STATES))[[STATES.index(name) for name in names]] for names in (YAW_RATES, OUTPUTS[3:]))
-    G, H = U * acceleration_rows(p, U, centre=False), U * acceleration_rows(p, U, centre=True)
+    G, H = acceleration_rows(p, U, centre=False), acceleration_rows(p, U, centre=True)
     return System(
         A=A,
         B=B,
@@ -148,21 +149,18 @@ def system(p: BTrainYawRoll, U: float, variant: Variant = "full") -> System:
     )
 
 
-YAW_RATES = ("psi_dot_1", "psi_dot_2", "psi_dot_3")
-
-
 def acceleration_rows(p: BTrainYawRoll, U: float, *, centre: bool) -> Array:
-    """Rows (3, 18) that give, from dx/dt, each unit's lateral acceleration less U psi_dot, as a part of U [1/s].
+    """Rows (3, 18) that give, from dx/dt, each unit's lateral acceleration [m/s^2] less U psi_dot.
 
     Of the roll axis below the whole-mass centre, or of the *centre* itself, which the sprung and unsprung masses carry
     along as they roll: [m_s (h_s - h_r) phi_ddot + m_u (h_u - h_r) phi_t_ddot] / m more.
     """
     rows = np.zeros((3, len(STATES)))
     for i, unit in enumerate(units(p, U), start=1):
-        rows[i - 1, STATES.index(f"beta_{i}")] = 1.0
+        rows[i - 1, STATES.index(f"beta_{i}")] = U
         if centre:
-            rows[i - 1, STATES.index(f"phi_dot_{i}")] = unit.m_s * unit.e_s / (unit.m * U)
-            rows[i - 1, STATES.index(f"phi_t_dot_{i}")] = unit.m_u * unit.e_u / (unit.m * U)
+            rows[i - 1, STATES.index(f"phi_dot_{i}")] = unit.m_s * unit.e_s / unit.m
+            rows[i - 1, STATES.index(f"phi_t_dot_{i}")] = unit.m_u * unit.e_u / unit.m
     return rows
 
 

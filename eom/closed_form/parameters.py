@@ -4,6 +4,8 @@ from dataclasses import dataclass, fields
 from math import isfinite
 from typing import Any, ClassVar
 
+import numpy as np
+
 from eom.errors import EomError
 
 
@@ -27,7 +29,7 @@ class Parameters:
         mistakes += [
             f"{name}: expected a positive number, got {value:g}"
             for name, value in values.items()
-            if is_number(value) and not value > 0.0
+            if is_number(value) and value <= 0.0
         ]
         if mistakes:
             raise EomError("\n".join(f"{type(self).__name__}.{mistake}" for mistake in mistakes))
@@ -35,7 +37,7 @@ class Parameters:
 
 def is_number(value: Any) -> bool:
     """Whether a value is a plain number, not a symbol."""
-    return isinstance(value, int | float)
+    return isinstance(value, int | float | np.integer | np.floating)
 
 
 def finite(value: Any) -> bool:
