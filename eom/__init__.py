@@ -23,6 +23,9 @@ from eom.errors import (
 from eom.errors import (
     SingularError as SingularError,
 )
+from eom.errors import (
+    SweepError as SweepError,
+)
 
 if TYPE_CHECKING:
     from eom.analysis import KinematicSweep as KinematicSweep
@@ -60,5 +63,5 @@ def __getattr__(name: str) -> Any:
 
 def __dir__() -> list[str]:
     """The public names."""
-    errors = ("EomError", "DescriptionError", "EquilibriumError", "MechanismError", "OutputError", "SingularError")
-    return sorted([*PUBLIC, *errors])
+    errors = ("Description", "Equilibrium", "Mechanism", "Output", "Singular", "Sweep")
+    return sorted([*PUBLIC, "EomError", *(f"{name}Error" for name in errors)])

@@ -56,6 +56,10 @@ class OutputError(EomError):
     """An output that no proper state space can give."""
 
 
+class SweepError(EomError):
+    """A parameter that cannot be swept as asked."""
+
+
 class MechanismError(EomError):
     """A mechanism that cannot be driven as asked; ``partial`` holds what was computed until then, if anything."""
 

@@ -1,6 +1,20 @@
-"""Studies of a vehicle by itself: the kinematics of its suspension and steering."""
+"""Studies of a vehicle: kinematics of its suspension and steering, and how its modes change with parameters."""
 
+from eom.analysis.critical import CriticalValue, critical_values
 from eom.analysis.kinematics import KinematicSweep, kinematic_sweep
+from eom.analysis.locus import RootLocus, root_locus
 from eom.analysis.measures import Measure
+from eom.analysis.stability_map import Axis, StabilityMap, stability_map
 
-__all__ = ["KinematicSweep", "Measure", "kinematic_sweep"]
+__all__ = [
+    "Axis",
+    "CriticalValue",
+    "KinematicSweep",
+    "Measure",
+    "RootLocus",
+    "StabilityMap",
+    "critical_values",
+    "kinematic_sweep",
+    "root_locus",
+    "stability_map",
+]

@@ -1,0 +1,30 @@
+"""On which side of the imaginary axis roots are, and which of them decides."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from eom.model.modes import Modes
+
+# of the largest root, and of an oscillation's own: a smaller real part is rounding
+ON_AXIS, ON_AXIS_OSCILLATING = 1e-9, 1e-7
+
+
+def sides(modes: Modes) -> NDArray[np.intp]:
+    """Per mode: 1 right of the imaginary axis, -1 left, 0 on it but for rounding."""
+    roots = modes.eigenvalues
+    size = np.abs(roots)
+    limit = ON_AXIS * np.max(size, initial=0.0) + np.where(roots.imag != 0.0, ON_AXIS_OSCILLATING * size, 0.0)
+    return np.where(np.abs(roots.real) <= limit, 0, np.sign(roots.real)).astype(np.intp)
+
+
+def rightmost(modes: Modes) -> int | None:
+    """The mode with the largest real part, None where there is none; roots that are zero but for rounding left out."""
+    size = np.abs(modes.eigenvalues)
+    moving = np.flatnonzero(size > ON_AXIS * np.max(size, initial=0.0))
+    return int(moving[np.argmax(modes.eigenvalues.real[moving])]) if moving.size else None
+
+
+def least_damping(modes: Modes) -> float:
+    """Damping ratio of the least damped oscillation; NaN where nothing oscillates."""
+    ratios = modes.damping_ratio[modes.oscillates]
+    return float(np.min(ratios, initial=np.inf)) if ratios.size else np.nan
