@@ -51,6 +51,8 @@ class Trail(NamedTuple):
 
 def crossings(family: Family, steps: Sequence[Step]) -> list[Crossing]:
     """Crossings of all branches, those of a conjugate pair once, by value."""
+    if not steps:
+        return []
     trail = rising([fine for item in steps for fine in refined(family, item, HALVINGS)])
     found = [item for branch in range(trail.order.shape[1]) for item in along(family, trail, branch)]
     return sorted((item for item in found if item.root.imag >= 0.0), key=lambda item: (item.value, item.root.imag))
@@ -129,7 +131,7 @@ def leaving(family: Family, trail: Trail, branch: int, ends: tuple[int, int]) ->
     there = trail.nodes[off]
     roots, order = there.modes.eigenvalues, trail.order[off]
     side = sides(there.modes)[order]
-    left = [k for k in np.flatnonzero(side == -1) if sides(trail.nodes[on].modes)[trail.order[on, k]] == 0]
+    left = [int(k) for k in np.flatnonzero(side == -1) if sides(trail.nodes[on].modes)[trail.order[on, k]] == 0]
     own = roots[order[branch]]
     partners = [k for k in left if abs(roots[order[k]] + own.conjugate()) <= 1e-6 * abs(own)]
     if not partners:
@@ -145,7 +147,7 @@ def leaving(family: Family, trail: Trail, branch: int, ends: tuple[int, int]) ->
     far = far if split(trail.nodes[on].value) >= 0.0 else on
     value = solve(split, trail.nodes[far].value, there.value)
     node, order = seen(value)
-    met = complex(np.mean(node.modes.eigenvalues[order[[branch, partners[0]]]]))
+    met = complex(0.5 * (seen.roots(value)[branch] + seen.roots(value)[partners[0]]))
     yield Crossing(value, met if own.imag else 0j, on < off, node, int(order[branch]))
 
 

@@ -33,10 +33,11 @@ def plot_locus(locus: RootLocus) -> "Figure":
     right = max(float(np.max(roots.real, initial=0.0)), 0.0)
     plane.set_xlim(left - 0.05 * (right - left) - 1e-9, right + 0.05 * (right - left) + 1e-9)
     hidden = int(np.sum(np.min(roots.real, axis=0) < left))
-    note = f"\n{hidden} branches reach further left" if hidden else ""
+    note = f"\n(reaching further left: {hidden} of {roots.shape[1]} roots)" if hidden else ""
     plane.set(xlabel=f"real part [1/s]{note}", ylabel="imaginary part [rad/s]")
     figure.colorbar(points, label=label)
     lines = np.where(roots.imag >= 0.0, roots.real, np.nan)
+    real.plot(locus.values, roots.real, color="0.75", linewidth=0.8)
     real.plot(locus.values, np.where(upper.imag > 0.0, lines, np.nan), color="tab:blue", linewidth=1.4)
     real.plot(locus.values, np.where(upper.imag == 0.0, lines, np.nan), color="tab:orange", linewidth=1.4)
     real.plot([], [], color="tab:blue", label="oscillation")

@@ -37,7 +37,8 @@ def plot_map(result: StabilityMap) -> "Figure":
             figure.colorbar(filled, label=label)
         else:
             axes.text(0.5, 0.5, "nothing oscillates", transform=axes.transAxes, ha="center")
-        if np.nanmin(result.rightmost) < 0.0 < np.nanmax(result.rightmost):
+        known = result.rightmost[np.isfinite(result.rightmost)]
+        if np.any(known <= 0.0) and np.any(known > 0.0):
             axes.contour(x, y, result.rightmost.T, levels=[0.0], colors="black", linewidths=2.5)
             axes.plot([], [], color="black", linewidth=2.5, label="border of stability")
             axes.legend(fontsize="small", loc="upper right")

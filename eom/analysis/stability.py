@@ -24,6 +24,14 @@ def rightmost(modes: Modes) -> int | None:
     return int(moving[np.argmax(modes.eigenvalues.real[moving])]) if moving.size else None
 
 
+def largest_real_part(modes: Modes) -> float:
+    """Of `rightmost` [1/s], exactly zero where it is but for rounding; NaN where there is none."""
+    worst = rightmost(modes)
+    if worst is None:
+        return np.nan
+    return float(modes.eigenvalues[worst].real) if sides(modes)[worst] else 0.0
+
+
 def least_damping(modes: Modes) -> float:
     """Damping ratio of the least damped oscillation; NaN where nothing oscillates."""
     ratios = modes.damping_ratio[modes.oscillates]

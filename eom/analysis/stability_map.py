@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from eom.analysis.family import check_values, with_unit
-from eom.analysis.stability import least_damping, rightmost
+from eom.analysis.stability import largest_real_part, least_damping
 from eom.assembly.vectors import Array
 from eom.errors import SweepError
 from eom.model.linear import linearise
@@ -49,7 +49,7 @@ class StabilityMap:
     first, second : Axis
     rightmost : Array
         Largest real part of all roots [1/s], shape (first, second); roots that are zero but for rounding are left out.
-        It is negative where the vehicle is stable.
+        It is negative where the vehicle is stable, and exactly zero for an undamped one.
     damping : Array
         Damping ratio of the least damped oscillation, same shape; NaN also where nothing oscillates.
     title : str
@@ -91,8 +91,7 @@ def map_points(vehicle: Vehicle, first: Axis, second: Axis) -> Iterator[MapPoint
     for (i, a), (k, b) in product(enumerate(first.values), enumerate(second.values)):
         settings = {first.parameter: with_unit(a, first.unit), second.parameter: with_unit(b, second.unit)}
         modes = linearise(vehicle.with_values(**settings)).modes()
-        worst = rightmost(modes)
-        yield MapPoint(i, k, np.nan if worst is None else float(modes.eigenvalues[worst].real), least_damping(modes))
+        yield MapPoint(i, k, largest_real_part(modes), least_damping(modes))
 
 
 def map_of(vehicle: Vehicle, first: Axis, second: Axis, points: Iterable[MapPoint]) -> StabilityMap:

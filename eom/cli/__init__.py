@@ -1,4 +1,4 @@
-"""Command line: ``eom check``, ``eom build``, ``eom modes``, ``eom kinematics``, ``eom schema``."""
+"""Command line: ``eom check``, ``eom build``, ``eom modes``, ``eom sweep``, ``eom kinematics``, ``eom schema``."""
 
 import sys
 
