@@ -3,8 +3,8 @@
 from eom.analysis.critical import CriticalValue, critical_values
 from eom.analysis.kinematics import KinematicSweep, kinematic_sweep
 from eom.analysis.locus import RootLocus, root_locus
+from eom.analysis.maps import Axis, StabilityMap, stability_map
 from eom.analysis.measures import Measure
-from eom.analysis.stability_map import Axis, StabilityMap, stability_map
 
 __all__ = [
     "Axis",

@@ -53,11 +53,11 @@ def critical_values(
     """All values between two at which a mode changes its stability, solved for to rounding.
 
     The roots are followed as branches over 33 values; each branch that changes the side of the imaginary axis is
-    solved for by Brent's method. Steps in which a cubic through the real parts and their rates comes near zero are
-    halved up to eight times, so that a branch which crosses twice in one step is seen. An undamped system has its
+    solved for by Brent's method. Steps in which a parabola through three neighbouring real parts comes near zero
+    are halved up to eight times, so that a branch which crosses twice in one step is seen. An undamped system has its
     roots on the axis itself: there the value is solved for at which two of them meet and leave it.
 
-    Not found are: a double crossing so narrow that neither end nor rates show it; a root that touches the axis without
+    Not found are: a double crossing so narrow that its neighbours do not show it; a root that touches the axis without
     crossing, which changes no stability; a crossing within an interval that `RootLocus.unclear` names; a damped motion
     that becomes undamped for a whole range of values.
 

@@ -9,13 +9,9 @@ import numpy as np
 from eom.analysis.family import Family, Node
 from eom.analysis.matching import Indices
 from eom.analysis.stability import sides
-from eom.analysis.tracking import Step, composed, link, step
+from eom.analysis.tracking import Step, step
+from eom.analysis.trail import Trail, fine_trail
 from eom.model.eigen import Complex
-
-# how often a step is halved in search of a double crossing
-HALVINGS = 8
-# of the smaller real part at the ends: a curve that comes closer between them is looked at again
-CLOSE = 0.3
 
 
 class Crossing(NamedTuple):
@@ -42,51 +38,13 @@ class Crossing(NamedTuple):
     mode: int
 
 
-class Trail(NamedTuple):
-    """Neighbouring nodes, rising, with the modes that are one branch: order (nodes, branches)."""
-
-    nodes: list[Node]
-    order: Indices
-
-
 def crossings(family: Family, steps: Sequence[Step]) -> list[Crossing]:
     """Crossings of all branches, those of a conjugate pair once, by value."""
     if not steps:
         return []
-    trail = rising([fine for item in steps for fine in refined(family, item, HALVINGS)])
+    trail = fine_trail(family, steps)
     found = [item for branch in range(trail.order.shape[1]) for item in along(family, trail, branch)]
     return sorted((item for item in found if item.root.imag >= 0.0), key=lambda item: (item.value, item.root.imag))
-
-
-def refined(family: Family, item: Step, halvings: int) -> list[Step]:
-    """A step, cut finer where a branch may cross twice."""
-    if not halvings or not may_cross_twice(item):
-        return [item]
-    middle = 0.5 * (item.one.value + item.two.value)
-    node = Node(middle, family(middle))
-    halves = [*link(family, item.one, node), *link(family, node, item.two)]
-    return [fine for half in halves for fine in refined(family, half, halvings - 1)]
-
-
-def may_cross_twice(item: Step) -> bool:
-    """Whether the cubic through a branch's real parts and their rates comes near zero more often than its ends show."""
-    a, b = item.one.modes.eigenvalues.real, item.two.modes.eigenvalues.real[item.order]
-    d, e = (slopes.real for slopes in item.slopes)
-    t = np.linspace(0.0, 1.0, 17)[:, np.newaxis]
-    curve = (1 + 2 * t) * (1 - t) ** 2 * a + t * (1 - t) ** 2 * d + t**2 * (3 - 2 * t) * b + t**2 * (t - 1) * e
-    changes = np.sum(np.diff(np.sign(curve), axis=0) != 0.0, axis=0)
-    same = (np.sign(a) == np.sign(b)) & (np.min(np.abs(curve), axis=0) < CLOSE * np.minimum(np.abs(a), np.abs(b)))
-    zero = (sides(item.one.modes) == 0) & (sides(item.two.modes)[item.order] == 0)
-    return bool(np.any(~zero & (same | (changes > 1))))
-
-
-def rising(steps: Sequence[Step]) -> Trail:
-    """The nodes of consecutive steps in the order of rising values."""
-    nodes = [steps[0].one, *(item.two for item in steps)]
-    start = np.arange(len(nodes[0].modes.eigenvalues))
-    order = [composed(steps[:k], start) for k in range(len(nodes))]
-    way = 1 if nodes[0].value < nodes[-1].value else -1
-    return Trail(nodes[::way], np.array(order)[::way])
 
 
 def along(family: Family, trail: Trail, branch: int) -> Iterator[Crossing]:

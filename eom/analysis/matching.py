@@ -39,14 +39,11 @@ class Match(NamedTuple):
         Whether every root is recognised, alone or as one of a group that meets.
     merged : bool
         Whether roots that were apart are equal in the second, so that its eigenvectors cannot tell them.
-    change : tuple of Complex
-        By how much each root is about to change, judged at either end, in the order of the first.
     """
 
     order: Indices
     clear: bool
     merged: bool
-    change: tuple[Complex, Complex]
 
 
 def match(one: Spectrum, two: Spectrum) -> Match:
@@ -63,7 +60,6 @@ def match(one: Spectrum, two: Spectrum) -> Match:
     else:
         # other states: only the roots can tell
         P, miss = np.ones_like(distance, dtype=complex), distance
-        first = second = np.zeros_like(one.roots)
     largest = float(np.max(np.abs([one.roots, two.roots]), initial=0.0))
     size = np.abs(one.roots)[:, np.newaxis] + np.abs(two.roots) + NEGLIGIBLE * largest + 1e-300
     cost = np.minimum(np.minimum(miss, distance) / size, 1.0) + np.minimum(np.abs(1.0 - P), 1.0)
@@ -77,7 +73,6 @@ def match(one: Spectrum, two: Spectrum) -> Match:
         order,
         not np.any(unknown) or (same_states and in_groups(one.roots, two.roots[order], P[:, order], unknown)),
         bool(np.any(apart_here & ~apart_there)),
-        (first, second[order]),
     )
 
 

@@ -3,18 +3,24 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from eom.assembly.vectors import Array
 from eom.model.modes import Modes
 
 # of the largest root, and of an oscillation's own: a smaller real part is rounding
 ON_AXIS, ON_AXIS_OSCILLATING = 1e-9, 1e-7
 
 
+def on_axis(modes: Modes) -> Array:
+    """Per mode: the real part that may be rounding [1/s]."""
+    size = np.abs(modes.eigenvalues)
+    own = np.where(modes.eigenvalues.imag != 0.0, ON_AXIS_OSCILLATING * size, 0.0)
+    return np.asarray(ON_AXIS * np.max(size, initial=0.0) + own)
+
+
 def sides(modes: Modes) -> NDArray[np.intp]:
     """Per mode: 1 right of the imaginary axis, -1 left, 0 on it but for rounding."""
-    roots = modes.eigenvalues
-    size = np.abs(roots)
-    limit = ON_AXIS * np.max(size, initial=0.0) + np.where(roots.imag != 0.0, ON_AXIS_OSCILLATING * size, 0.0)
-    return np.where(np.abs(roots.real) <= limit, 0, np.sign(roots.real)).astype(np.intp)
+    real = modes.eigenvalues.real
+    return np.where(np.abs(real) <= on_axis(modes), 0, np.sign(real)).astype(np.intp)
 
 
 def rightmost(modes: Modes) -> int | None:

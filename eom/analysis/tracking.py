@@ -8,7 +8,6 @@ import numpy as np
 from eom.analysis.family import Family, Node, check_states
 from eom.analysis.matching import Indices, match
 from eom.analysis.spectrum import shared_cyclic, spectrum
-from eom.model.eigen import Complex
 
 # models between two values, by which roots that are not recognised at once are followed
 EXTRA = 12
@@ -24,8 +23,6 @@ class Step(NamedTuple):
     one, two : Node
     order : Indices
         Mode ``order[i]`` of the second continues mode i of the first.
-    slopes : tuple of Complex
-        Rates of the roots at either end, times the step [1/s], by mode of the first; zero where they are not known.
     clear, merged : bool
         As `Match`.
     """
@@ -33,7 +30,6 @@ class Step(NamedTuple):
     one: Node
     two: Node
     order: Indices
-    slopes: tuple[Complex, Complex]
     clear: bool
     merged: bool
 
@@ -43,14 +39,12 @@ def step(one: Node, two: Node) -> Step:
     shared = shared_cyclic(one, two)
     here, there = spectrum(one, shared), spectrum(two, shared)
     found = match(here, there)
-    count = len(one.modes.eigenvalues)
-    order, slopes = np.empty(count, dtype=np.intp), np.zeros((2, count), dtype=complex)
+    order = np.empty(len(one.modes.eigenvalues), dtype=np.intp)
     order[here.modes] = there.modes[found.order]
-    slopes[:, here.modes] = found.change
     places = [{node.model.states[s]: k for k, s in enumerate(node.model.cyclic)} for node in (one, two)]
     for name in shared:
         order[places[0][name]] = places[1][name]
-    return Step(one, two, order, (slopes[0], slopes[1]), found.clear, found.merged)
+    return Step(one, two, order, found.clear, found.merged)
 
 
 def link(family: Family, one: Node, two: Node) -> list[Step]:

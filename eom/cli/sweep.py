@@ -11,13 +11,13 @@ import typer
 from eom.analysis.critical import critical_of
 from eom.analysis.family import Node, family_of, with_unit
 from eom.analysis.locus import locus_of
-from eom.analysis.stability_map import Axis, MapPoint, map_of, map_points
+from eom.analysis.maps import Axis, MapPoint, map_of, map_points
 from eom.cli.ranges import Range, parse_ranges
 from eom.cli.settings import UsageError, load_with, parse_settings
 from eom.errors import EomError
 from eom.report.locus import critical_table, locus_table, write_locus
+from eom.report.maps import map_table, write_map
 from eom.report.pictures import FORMATS, save
-from eom.report.stability_map import map_table, write_map
 from eom.vehicle.load import Vehicle
 
 if TYPE_CHECKING:

@@ -21,7 +21,8 @@ def locus(family: Callable[[float], eom.LinearModel], values: Sequence[float]) -
 
 def upper(item: RootLocus) -> Array:
     """Branches that start in the upper half plane."""
-    return item.branches[:, item.branches[0].imag > 0.0]
+    above = item.branches[0].imag > 0.0
+    return np.asarray(item.branches)[:, above]
 
 
 def turned(size: int, seed: int) -> Array:
@@ -31,27 +32,35 @@ def turned(size: int, seed: int) -> Array:
     return left @ np.diag(rng.uniform(0.3, 3.0, size)) @ right
 
 
-@pytest.mark.parametrize("steps", [5, 8, 40])
-def test_two_oscillators_that_know_nothing_of_each_other_cross_without_changing_branches(steps: int) -> None:
-    family = hidden(lambda p: [oscillator(1.0 + p, 0.1), oscillator(2.0 - 0.5 * p, 0.1)], turned(4, 1))
-    values = np.linspace(0.0, 1.5, steps)
+@pytest.mark.parametrize("steps", [3, 4, 8, 40])
+def test_oscillators_that_know_nothing_of_each_other_cross_without_changing_branches(steps: int) -> None:
+    """The curves bend, so that neither roots nor rates tell them apart over a long step."""
+
+    def sizes(p: Array) -> list[Array]:
+        return [1.0 + p**2, 3.2 - p, 2.0 + np.sin(3.0 * p)]
+
+    family = hidden(lambda p: [oscillator(float(size), 0.1) for size in sizes(np.array(p))], turned(6, 1))
+    values = np.linspace(0.0, 2.0, steps)
     found = upper(locus(family, values.tolist()))
     shape = complex(-0.1, np.sqrt(1.0 - 0.1**2))
+    order = np.argsort(np.abs(found[0]))
+    expected = np.column_stack(sizes(values))[:, np.argsort([1.0, 3.2, 2.0])] * shape
     # eigenvalues of a matrix in coordinates of condition 10
-    np.testing.assert_allclose(found, np.column_stack([1.0 + values, 2.0 - 0.5 * values]) * shape, rtol=1e-12)
+    np.testing.assert_allclose(found[:, order], expected, rtol=1e-11)
 
 
-def test_a_value_at_which_both_frequencies_are_equal_swaps_nothing() -> None:
+@pytest.mark.parametrize("seed", [0, 1, 13, 71])
+def test_a_value_at_which_both_frequencies_are_equal_swaps_nothing(seed: int) -> None:
     """There every mixture of both is an eigenvector."""
-    family = hidden(lambda p: [oscillator(1.0 + p, 0.1), oscillator(2.0 - p, 0.1)], np.eye(4))
+    family = hidden(lambda p: [oscillator(1.0 + p, 0.1), oscillator(2.0 - p, 0.1)], turned(4, seed))
     values = np.array([0.0, 0.25, 0.5, 0.75, 1.0])
     found = upper(locus(family, values.tolist()))
-    # rounding moves the roots of a double pair by its square root
-    np.testing.assert_allclose(np.abs(found), np.column_stack([1.0 + values, 2.0 - values]), rtol=1e-7)
+    # two equal roots with their own eigenvectors feel rounding as any others do
+    np.testing.assert_allclose(np.abs(found), np.column_stack([1.0 + values, 2.0 - values]), rtol=1e-12)
 
 
 def test_a_pair_that_becomes_real_and_a_pair_again_keeps_its_branches() -> None:
-    """x'' + 2 p x' + x = 0: the upper root of the pair is the larger real one, by convention."""
+    """The upper root of the pair is the larger real one, by convention."""
 
     def family(p: float) -> eom.LinearModel:
         return model_of(np.array([[0.0, 1.0], [-1.0, -2.0 * (1.5 - p**2)]]))
@@ -73,22 +82,20 @@ def test_two_pairs_that_meet_and_part_are_a_continuous_set() -> None:
     assert jumps < 10.0 * np.sqrt(np.sqrt(2.0) * 0.01)
 
 
-BLOCK = st.tuples(
-    st.floats(0.5, 5.0), st.floats(0.5, 5.0), st.floats(0.02, 0.9), st.floats(0.02, 0.9), st.booleans()
-)
+BLOCK = st.tuples(st.floats(0.5, 5.0), st.floats(0.5, 5.0), st.floats(0.02, 0.9), st.floats(0.02, 0.9), st.booleans())
 
 
 def blocks_at(specifications: Sequence[tuple[float, float, float, float, bool]], p: float) -> list[Array]:
-    """Oscillators and single real roots that move on straight lines from one value to another."""
+    """Oscillators and single real roots whose sizes move from one value to another and half the way back."""
     result = []
     for start, end, first, last, real in specifications:
-        size, damping = start + (end - start) * p, first + (last - first) * p
+        size, damping = start + (end - start) * np.sin(2.0 * p), first + (last - first) * p
         result.append(np.array([[-size]]) if real else oscillator(size, damping))
     return result
 
 
 @settings(max_examples=60, deadline=None)
-@given(st.lists(BLOCK, min_size=1, max_size=4), st.integers(0, 10_000), st.integers(6, 30))
+@given(st.lists(BLOCK, min_size=1, max_size=4), st.integers(0, 10_000), st.integers(2, 12))
 def test_blocks_hidden_by_a_similarity_transform_keep_their_branches(
     specifications: list[tuple[float, float, float, float, bool]], seed: int, steps: int
 ) -> None:
@@ -137,7 +144,7 @@ def test_the_roots_at_each_value_are_those_of_python_control(name: str, low: flo
 def test_a_finer_sweep_passes_through_the_same_branches() -> None:
     coarse = root_locus(vehicle("b_train_yaw_roll"), "U", np.linspace(20.0, 150.0, 14).tolist(), "km/h")
     fine = root_locus(vehicle("b_train_yaw_roll"), "U", np.linspace(20.0, 150.0, 53).tolist(), "km/h")
-    assert not (coarse.unclear or fine.unclear)
+    assert coarse.unclear == fine.unclear == ()
     # the same matrices at the same values
     np.testing.assert_allclose(fine.branches[::4], coarse.branches, rtol=0.0, atol=1e-9)
 

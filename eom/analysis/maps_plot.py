@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from eom.analysis.stability_map import StabilityMap
+from eom.analysis.maps import StabilityMap
 from eom.errors import SweepError
 
 if TYPE_CHECKING:

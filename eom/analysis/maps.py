@@ -64,7 +64,7 @@ class StabilityMap:
 
     def plot(self) -> "Figure":
         """Contours of both figures, the border of stability as a thick line."""
-        from eom.analysis.map_plot import plot_map  # noqa: PLC0415  draws with what is slow to import
+        from eom.analysis.maps_plot import plot_map  # noqa: PLC0415  draws with what is slow to import
 
         return plot_map(self)
 

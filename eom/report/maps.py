@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from eom.analysis.stability_map import StabilityMap
+from eom.analysis.maps import StabilityMap
 from eom.report.modes import blank
 from eom.report.table import table
 
