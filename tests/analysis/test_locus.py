@@ -21,8 +21,7 @@ def locus(family: Callable[[float], eom.LinearModel], values: Sequence[float]) -
 
 def upper(item: RootLocus) -> Array:
     """Branches that start in the upper half plane."""
-    above = item.branches[0].imag > 0.0
-    return np.asarray(item.branches)[:, above]
+    return item.branches.T[item.branches[0].imag > 0.0].T
 
 
 def turned(size: int, seed: int) -> Array:
