@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[1]
-PAGES = ("index", "tutorial", "commands", "module", "python", "kinematics")
+PAGES = ("index", "tutorial", "commands", "module", "python", "kinematics", "modes")
 BLOCK = re.compile(r"```(sh|python|yaml|text)\n(.*?)```", flags=re.DOTALL)
 ENVIRONMENT = {**os.environ, "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}", "COLUMNS": "200"}
 

@@ -21,14 +21,16 @@ def locus(family: Callable[[float], eom.LinearModel], values: Sequence[float]) -
 
 def upper(item: RootLocus) -> Array:
     """Branches that start in the upper half plane."""
-    return item.branches.T[item.branches[0].imag > 0.0].T
+    result: Array = item.branches[:, item.branches[0].imag > 0.0]
+    return result
 
 
 def turned(size: int, seed: int) -> Array:
     """A regular matrix with a condition number of at most about 10."""
     rng = np.random.default_rng(seed)
     left, right = (np.linalg.qr(rng.normal(size=(size, size)))[0] for _ in range(2))
-    return left @ np.diag(rng.uniform(0.3, 3.0, size)) @ right
+    result: Array = left @ np.diag(rng.uniform(0.3, 3.0, size)) @ right
+    return result
 
 
 @pytest.mark.parametrize("steps", [3, 4, 8, 40])
@@ -177,3 +179,23 @@ def test_a_change_of_the_number_of_states_is_refused_with_a_sentence() -> None:
 def test_values_that_go_no_way_are_refused(values: list[float], sentence: str) -> None:
     with pytest.raises(eom.SweepError, match=sentence):
         root_locus(vehicle("bicycle"), "U", values)
+
+
+def test_a_sweep_from_rest_passes_a_change_of_the_cyclic_states() -> None:
+    """At rest the wheels of the bicycle have other cyclic motions than on the way; all roots are still followed."""
+    values = np.linspace(0.0, 3.0, 13)
+    found = root_locus(vehicle("bicycle"), "U", values.tolist())
+    for node, roots in zip(found.nodes, found.branches, strict=True):
+        np.testing.assert_array_equal(np.sort_complex(roots), np.sort_complex(node.modes.eigenvalues))
+    # the four roots of the benchmark at rest: two pairs of equal size, published to these digits
+    still = np.sort(found.branches[0].real)
+    np.testing.assert_allclose(
+        still[[0, 1, -2, -1]], [-5.53094371765393, -3.13164324790656, 3.13164324790656, 5.53094371765393], atol=1e-11
+    )
+
+
+def test_a_picture_of_a_locus_has_a_line_for_each_root_that_is_not_cyclic() -> None:
+    found = root_locus(vehicle("car_trailer"), "U", [20.0, 25.0, 30.0])
+    plane = found.plot().axes[0]
+    lines = [line for line in plane.lines if len(line.get_xdata()) == 3]
+    assert len(lines) == found.branches.shape[1] - 2
