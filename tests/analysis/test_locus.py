@@ -197,5 +197,5 @@ def test_a_sweep_from_rest_passes_a_change_of_the_cyclic_states() -> None:
 def test_a_picture_of_a_locus_has_a_line_for_each_root_that_is_not_cyclic() -> None:
     found = root_locus(vehicle("car_trailer"), "U", [20.0, 25.0, 30.0])
     plane = found.plot().axes[0]
-    lines = [line for line in plane.lines if len(line.get_xdata()) == 3]
+    lines = [line for line in plane.lines if np.shape(line.get_xdata()) == (3,)]
     assert len(lines) == found.branches.shape[1] - 2
