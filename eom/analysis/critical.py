@@ -58,8 +58,8 @@ def critical_values(
     roots on the axis itself: there the value is solved for at which two of them meet and leave it.
 
     Not found are: a double crossing so narrow that its neighbours do not show it; a root that touches the axis without
-    crossing, which changes no stability; a crossing within an interval that `RootLocus.unclear` names; a damped motion
-    that becomes undamped for a whole range of values.
+    crossing, which changes no stability; a crossing where roots were not recognised (`RootLocus.unclear`); a damped
+    motion that becomes undamped for a whole range of values.
 
     Parameters
     ----------

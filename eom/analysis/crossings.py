@@ -1,7 +1,7 @@
 """Where branches of a locus pass the imaginary axis."""
 
 from collections.abc import Callable, Iterator, Sequence
-from itertools import groupby
+from itertools import groupby, pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -12,6 +12,11 @@ from eom.analysis.stability import sides
 from eom.analysis.tracking import Step, step
 from eom.analysis.trail import Trail, fine_trail
 from eom.model.eigen import Complex
+
+# of the real parts at the ends: a root solved for that is further from the axis is none
+JUMP = 1e-3
+# of its size: what rounding leaves between a root and the mirror image of another
+MIRRORED = 1e-6
 
 
 class Crossing(NamedTuple):
@@ -48,65 +53,69 @@ def crossings(family: Family, steps: Sequence[Step]) -> list[Crossing]:
 
 
 def along(family: Family, trail: Trail, branch: int) -> Iterator[Crossing]:
-    """Crossings of one branch."""
-    modes = trail.order[:, branch]
-    side = [int(sides(node.modes)[mode]) for node, mode in zip(trail.nodes, modes, strict=True)]
+    """Crossings of one branch: between runs of nodes on one side of the axis, and where it leaves the axis."""
+    side = [int(sides(node.modes)[order[branch]]) for node, order in zip(*trail, strict=True)]
     runs = [[k for k, _ in items] for _, items in groupby(enumerate(side), key=lambda item: item[1])]
-    for k, run in enumerate(runs[1:], start=1):
-        before, here = side[runs[k - 1][0]], side[run[0]]
-        over = side[runs[k - 2][0]] if k > 1 else 0
-        if before * here == -1:
-            yield from passing(family, trail, branch, (run[0] - 1, run[0]))
-        elif before == 0 and here * over == -1:
-            yield from passing(family, trail, branch, (runs[k - 2][-1], run[0]))
-        elif before == 0 and here == 1:
-            yield from leaving(family, trail, branch, (run[0] - 1, run[0]))
-        elif before == 1 and here == 0 and (k + 1 == len(runs) or side[runs[k + 1][0]] == 1):
-            yield from leaving(family, trail, branch, (run[0], run[0] - 1))
+    off_axis = [run for run in runs if side[run[0]]]
+    for one, two in pairwise(off_axis):
+        if side[one[0]] != side[two[0]]:
+            yield from passing(family, trail, branch, (one[-1], two[0]))
+    for run in off_axis:
+        for off, way in ((run[0], -1), (run[-1], 1)):
+            on = off + way
+            if 0 <= on < len(side):
+                beyond = next((side[k] for k in range(on, len(side) if way > 0 else -1, way) if side[k]), 0)
+                if beyond != -side[off]:
+                    yield from leaving(family, trail, branch, (on, off))
 
 
 def passing(family: Family, trail: Trail, branch: int, ends: tuple[int, int]) -> Iterator[Crossing]:
     """The crossing between two nodes on either side of the axis."""
-    a, b = (trail.nodes[k] for k in ends)
+    before, after = (trail.real[k, branch] for k in ends)
     seen = Seen(family, [(trail.nodes[k], trail.order[k]) for k in ends])
-    value = solve(lambda value: float(seen.roots(value)[branch].real), a.value, b.value)
-    node, order = seen(value)
-    root = complex(node.modes.eigenvalues[order[branch]])
-    sizes = [abs(trail.nodes[k].modes.eigenvalues[trail.order[k, branch]].real) for k in ends]
+    value = solve(lambda value: float(seen.roots(value)[branch].real), *(trail.nodes[k].value for k in ends))
+    root = complex(seen.roots(value)[branch])
     # a jump across the axis is two branches taken for each other
-    if abs(root.real) <= 1e-3 * max(sizes):
-        rises = bool(trail.nodes[ends[1]].modes.eigenvalues[trail.order[ends[1], branch]].real > 0.0)
-        yield Crossing(value, root, rises, node, int(order[branch]))
+    if abs(root.real) <= JUMP * max(abs(before), abs(after)):
+        node, order = seen(value)
+        yield Crossing(value, root, bool(after > before), node, int(order[branch]))
 
 
 def leaving(family: Family, trail: Trail, branch: int, ends: tuple[int, int]) -> Iterator[Crossing]:
-    """The place where an undamped branch leaves the axis, between a node on it and one to its right.
+    """The place where a branch leaves the axis, between a node on it and one that is not.
 
-    There it meets the branch that goes left. The square of their difference is smooth where they meet, and changes
-    its sign: from two frequencies, or a pair, to two real parts.
+    An undamped branch meets its mirror image there. The square of their difference is smooth where they meet, and
+    changes its sign: from two frequencies, or a pair, to two real parts. Told once, by the branch that goes right.
+    Without an image, the first or last value may itself be critical.
     """
     on, off = ends
-    there = trail.nodes[off]
-    roots, order = there.modes.eigenvalues, trail.order[off]
-    side = sides(there.modes)[order]
-    left = [int(k) for k in np.flatnonzero(side == -1) if sides(trail.nodes[on].modes)[trail.order[on, k]] == 0]
-    own = roots[order[branch]]
-    partners = [k for k in left if abs(roots[order[k]] + own.conjugate()) <= 1e-6 * abs(own)]
-    if not partners:
+    there, order = trail.nodes[off], trail.order[off]
+    roots, here = there.modes.eigenvalues[order], trail.nodes[on]
+    resting = sides(here.modes)[trail.order[on]] == 0
+    images = np.flatnonzero(resting & (np.abs(roots + roots[branch].conjugate()) <= MIRRORED * np.abs(roots[branch])))
+    if not images.size:
+        if on in {0, len(trail.nodes) - 1}:
+            root = complex(0.0, here.modes.eigenvalues[trail.order[on, branch]].imag)
+            rises = (roots[branch].real > 0.0) == (on < off)
+            yield Crossing(here.value, root, bool(rises), here, int(trail.order[on, branch]))
         return
+    if roots[branch].real < 0.0:
+        return
+    pair = [branch, int(images[0])]
+    # followed from where both are told apart
     seen = Seen(family, [(there, order)])
 
     def split(value: float) -> float:
-        now = seen.roots(value)
-        return float(((now[branch] - now[partners[0]]) ** 2).real)
+        one, two = seen.roots(value)[pair]
+        return float(((one - two) ** 2).real)
 
-    # a node where they all but meet has either sign
-    far = min(max(on + (on - off), 0), len(trail.nodes) - 1)
-    far = far if split(trail.nodes[on].value) >= 0.0 else on
-    value = solve(split, trail.nodes[far].value, there.value)
-    node, order = seen(value)
-    met = complex(0.5 * (seen.roots(value)[branch] + seen.roots(value)[partners[0]]))
-    yield Crossing(value, met if own.imag else 0j, on < off, node, int(order[branch]))
+    # such a node has either sign: the next one on the axis has not
+    start = min(max(2 * on - off, 0), len(trail.nodes) - 1) if split(here.value) >= 0.0 else on
+    start_value = trail.nodes[start].value
+    value = solve(split, start_value, there.value) if split(start_value) < 0.0 else here.value
+    node, found = seen(value)
+    circular = float(np.mean(seen.roots(value)[pair].imag)) if roots[branch].imag else 0.0
+    yield Crossing(value, complex(0.0, circular), on < off, node, int(found[branch]))
 
 
 class Seen:

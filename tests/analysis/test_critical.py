@@ -215,6 +215,44 @@ def test_a_value_that_is_itself_critical_is_found_once() -> None:
     assert item.frequency == pytest.approx(1.0 / np.pi, rel=1e-12)
 
 
+@pytest.mark.parametrize(("low", "high"), [(0.5, 1.0), (0.0, 0.5)])
+def test_an_end_of_the_range_that_is_critical_is_found(low: float, high: float) -> None:
+    (item,) = found_by(lambda p: model_of(oscillator(2.0, 0.5 - p)), low, high, 6)
+    assert item.value == 0.5
+    assert told([item]) == [("flutter", "unstable")]
+
+
+def test_an_undamped_system_that_begins_where_it_buckles_is_found() -> None:
+    """Roots are the square roots of p: a double zero at the first value."""
+    (item,) = found_by(lambda p: model_of(np.array([[0.0, 1.0], [p, 0.0]])), 0.0, 1.0, 6)
+    assert item.value == 0.0
+    assert told([item]) == [("divergence", "unstable")]
+
+
+def test_an_undamped_system_gains_and_loses_stability_where_its_roots_return_to_the_axis_and_leave_it() -> None:
+    """Two oscillators coupled without symmetry: squares s of the roots with s^2 + 5 s + 4 + c(p) = 0, c = 4 - p^2.
+
+    They are complex where 25/4 < 4 + c, between p = -sqrt(7)/2 and sqrt(7)/2; one is positive where 4 + c < 0, beyond
+    -sqrt(8) and sqrt(8).
+    """
+
+    def family(p: float) -> eom.LinearModel:
+        c = 4.0 - p**2
+        return model_of(np.array([[0, 0, 1.0, 0], [0, 0, 0, 1.0], [-1.0, -1.0, 0, 0], [c, -4.0, 0, 0]]))
+
+    items = found_by(family, -3.0, 3.0, 12)
+    expected = [-np.sqrt(8.0), -np.sqrt(7.0) / 2.0, np.sqrt(7.0) / 2.0, np.sqrt(8.0)]
+    # the squared difference of two roots passes zero with a finite slope
+    assert [item.value for item in items] == pytest.approx(expected, abs=1e-9)
+    assert told(items) == [
+        ("divergence", "stable"),
+        ("flutter", "unstable"),
+        ("flutter", "stable"),
+        ("divergence", "unstable"),
+    ]
+    assert [item.frequency for item in items[1:3]] == pytest.approx([np.sqrt(2.5) / (2.0 * np.pi)] * 2, rel=1e-7)
+
+
 def test_the_damping_at_which_a_symbolic_hurwitz_determinant_vanishes_is_critical() -> None:
     """s^3 + p s^2 + 2 s + 3: stable from p = 3/2, where it oscillates with sqrt(2) 1/s."""
     s, p = sympy.symbols("s p")
