@@ -29,14 +29,15 @@ docs: .venv/developing
 pictures: .venv/installed
 	$(BIN)/eom build $(VEHICLE) --set U=110km/h --out build
 	$(BIN)/python tools/steer_response.py build/b_train_yaw_roll.py docs/images/b_train_steer_response.png
-	$(BIN)/eom modes vehicles/bicycle.yaml --sweep U=0.5:10:0.1m/s --out docs/images
-	$(BIN)/eom modes vehicles/motorcycle.yaml --sweep U=2:65:0.5m/s --out docs/images
 	mkdir -p build
 	sed -n '/^name: B-train/,/^```$$/p' docs/b-train.md | sed '$$d' > build/b_train.yaml
 	$(BIN)/eom response build/b_train.yaml --output lead.ay/tractor.ay --output second.ay/tractor.ay \
 		--from 0.05 --to 2 --out docs/images
 	$(BIN)/eom response vehicles/full_car.yaml --output bounce --output pitch --output roll \
 		--output bounce_acceleration --road C --out docs/images
+	$(BIN)/eom sweep vehicles/bicycle.yaml U=0.5:10:0.1m/s --out docs/images
+	$(BIN)/eom sweep vehicles/motorcycle.yaml U=2:65:0.5m/s --out docs/images
+	$(BIN)/eom sweep vehicles/car_trailer.yaml U=40:180:5km/h ahead=-0.4:0.6:0.05m --out docs/images
 	rm -f docs/images/*.csv docs/images/*.svg docs/images/full_car_frequency.png
 
 clean:

@@ -29,7 +29,10 @@ from eom.errors import (
 
 if TYPE_CHECKING:
     from eom.analysis import KinematicSweep as KinematicSweep
+    from eom.analysis import critical_values as critical_values
     from eom.analysis import kinematic_sweep as kinematic_sweep
+    from eom.analysis import root_locus as root_locus
+    from eom.analysis import stability_map as stability_map
     from eom.codegen import write_module as write_module
     from eom.model import LinearModel as LinearModel
     from eom.model import assemble as assemble
@@ -48,6 +51,9 @@ PUBLIC = {
     "write_module": "eom.codegen",
     "kinematic_sweep": "eom.analysis",
     "KinematicSweep": "eom.analysis",
+    "root_locus": "eom.analysis",
+    "critical_values": "eom.analysis",
+    "stability_map": "eom.analysis",
 }
 
 

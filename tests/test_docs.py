@@ -21,6 +21,7 @@ PAGES = (
     "b-train",
     "responses",
     "closed-form",
+    "modes",
 )
 BLOCK = re.compile(r"```(sh|python|yaml|text)\n(.*?)```", flags=re.DOTALL)
 ENVIRONMENT = {**os.environ, "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}", "COLUMNS": "200"}

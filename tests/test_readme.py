@@ -30,7 +30,7 @@ def test_the_commands_run_and_write_their_files(workplace: Path) -> None:
     assert len(COMMANDS) >= 4
     written = {path.name for path in (workplace / "build").iterdir()}
     assert {f"b_train_yaw_roll.{suffix}" for suffix in ("py", "npz", "mat", "txt")} <= written
-    assert {"b_train_yaw_roll_U.csv", "b_train_yaw_roll_U.png"} <= written
+    assert {"b_train_yaw_roll_U.csv", "b_train_yaw_roll_U.png", "b_train_yaw_roll_U.svg"} <= written
 
 
 @pytest.mark.parametrize("snippet", SNIPPETS)

@@ -1,10 +1,13 @@
-"""Studies of a vehicle: kinematics of suspension and steering, responses and measures of the linear model, loads."""
+"""Studies of a vehicle: its linear model, alone and over parameters; loads of the trim; kinematics of suspensions."""
 
+from eom.analysis.critical import CriticalValue, critical_values
 from eom.analysis.frequency import FrequencyResponse, Peak, frequency_response
 from eom.analysis.gains import SteadyGains, steady_gains
 from eom.analysis.hankel import HankelValues, hankel_values
 from eom.analysis.kinematics import KinematicSweep, kinematic_sweep
 from eom.analysis.loads import TrimLoads, joint_loads, trim_loads
+from eom.analysis.locus import RootLocus, root_locus
+from eom.analysis.maps import Axis, StabilityMap, stability_map
 from eom.analysis.measures import Measure
 from eom.analysis.reach import ModalReach, modal_reach
 from eom.analysis.ride import RoadResponse, road_response
@@ -13,6 +16,8 @@ from eom.analysis.transient import TimeResponse, forced_response, impulse_respon
 from eom.analysis.zeros import Zeros, transmission_zeros
 
 __all__ = [
+    "Axis",
+    "CriticalValue",
     "FrequencyResponse",
     "HankelValues",
     "KinematicSweep",
@@ -20,10 +25,13 @@ __all__ = [
     "ModalReach",
     "Peak",
     "RoadResponse",
+    "RootLocus",
+    "StabilityMap",
     "SteadyGains",
     "TimeResponse",
     "TrimLoads",
     "Zeros",
+    "critical_values",
     "displacement_psd",
     "forced_response",
     "frequency_response",
@@ -33,7 +41,9 @@ __all__ = [
     "kinematic_sweep",
     "modal_reach",
     "road_response",
+    "root_locus",
     "sine_response",
+    "stability_map",
     "steady_gains",
     "step_response",
     "track_coherence",

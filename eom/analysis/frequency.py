@@ -14,8 +14,8 @@ from eom.analysis.roots import is_stable
 from eom.analysis.signals import Channel, ratio_unit, signals
 from eom.assembly.vectors import Array
 from eom.errors import AnalysisError
+from eom.model.eigen import Complex
 from eom.model.linear import LinearModel
-from eom.model.modes import Complex
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -8,8 +8,8 @@ import numpy as np
 from eom.analysis.roots import ROUNDING
 from eom.analysis.signals import indices
 from eom.assembly.vectors import Array
+from eom.model.eigen import Complex
 from eom.model.linear import LinearModel
-from eom.model.modes import Complex
 
 
 @dataclass(frozen=True)

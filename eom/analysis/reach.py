@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from eom.assembly.vectors import Array
+from eom.model.eigen import Complex
 from eom.model.linear import LinearModel
-from eom.model.modes import Complex
 
 # PBH distances below it are rounding: the eigenvalues are those of a matrix nearer than that
 NOTHING = 1e-10

@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from eom.model.eigen import Complex
 from eom.model.linear import LinearModel
-from eom.model.modes import Complex
 
 # of the largest root: real parts that are rounding
 ROUNDING = 1e-12

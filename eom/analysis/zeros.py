@@ -8,8 +8,8 @@ import numpy as np
 from eom.analysis.signals import indices
 from eom.assembly.vectors import Array
 from eom.errors import AnalysisError
+from eom.model.eigen import Complex
 from eom.model.linear import LinearModel
-from eom.model.modes import Complex
 
 # of the scaled system, whose matrices have norm one: a smaller singular value is rounding
 ROUNDING = 1e-11

@@ -1,4 +1,4 @@
-"""Command line: ``eom`` with ``check``, ``build``, ``modes``, ``kinematics``, ``response``, ``schema``."""
+"""Command line: ``eom`` with ``check``, ``build``, ``modes``, ``sweep``, ``response``, ``kinematics``, ``schema``."""
 
 import sys
 

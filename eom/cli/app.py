@@ -53,24 +53,34 @@ def build(
 def modes(
     file: File,
     settings: Set = None,
-    sweep: Annotated[
-        str | None,
-        typer.Option(metavar="NAME=FROM:TO:STEP", help="Repeat over a parameter, e.g. U=10:130:5km/h."),
-    ] = None,
-    out: Annotated[
-        Path | None, typer.Option("--out", metavar="FOLDER", help="Where table and plot of a sweep go.")
-    ] = None,
+    shapes: Annotated[bool, typer.Option("--shapes", help="Print the motion of the bodies in each mode.")] = False,
+    numbers: Annotated[Path | None, typer.Option("--csv", metavar="FILE", help="Write all modes.")] = None,
+    plot: Annotated[Path | None, typer.Option(metavar="FILE", help="Draw the modes, as .png or .svg.")] = None,
 ) -> None:
-    """List a vehicle's modes: frequency, damping ratio, time constant; or their locus over a parameter."""
-    from eom.cli.modes import run_modes, run_sweep  # noqa: PLC0415
+    """List a vehicle's modes: frequency, damping ratio, time constant, wavelength, and what moves."""
+    from eom.cli.modes import run_modes  # noqa: PLC0415
 
-    if sweep is None:
-        if out is not None:
-            message = "--out goes with --sweep: without it nothing is written"
-            raise typer.BadParameter(message)
-        run_modes(file, settings or [])
-    else:
-        run_sweep(file, settings or [], sweep, out or Path("build"))
+    run_modes(file, settings or [], shapes, (numbers, plot))
+
+
+@app.command()
+def sweep(
+    file: File,
+    ranges: Annotated[
+        list[str],
+        typer.Argument(
+            metavar="NAME=FROM:TO:STEP...", help="One parameter, e.g. U=10:130:5km/h, or two.", show_default=False
+        ),
+    ],
+    settings: Set = None,
+    out: Annotated[Path, typer.Option("--out", metavar="FOLDER", help="Where numbers and pictures go.")] = Path(
+        "build"
+    ),
+) -> None:
+    """Follow a vehicle's modes over one parameter, and find its critical values; or map its stability over two."""
+    from eom.cli.sweep import run_sweep  # noqa: PLC0415
+
+    run_sweep(file, settings or [], ranges, out)
 
 
 @app.command()

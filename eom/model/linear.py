@@ -11,7 +11,8 @@ from eom.assembly.state_space import RateError, state_space
 from eom.assembly.vectors import Array
 from eom.errors import OutputError, SingularError
 from eom.model.assembly import Assembly, assemble
-from eom.model.modes import Complex, Modes, modes_of
+from eom.model.eigen import Complex, eigen
+from eom.model.modes import Modes, scaled
 from eom.vehicle.load import Vehicle
 
 if TYPE_CHECKING:
@@ -61,8 +62,20 @@ class LinearModel:
     motion: Array
 
     def modes(self) -> Modes:
-        """Eigenvalues with frequency, damping ratio, time constant and participation."""
-        return modes_of(self.A, self.states, self.cyclic)
+        """Eigenvalues with frequency, damping ratio, wavelength, participation, shapes and instant centres."""
+        result = eigen(self.A, self.cyclic)
+        vectors, shapes = scaled(result, self.motion)
+        return Modes(
+            eigenvalues=result.values,
+            eigenvectors=vectors,
+            participation=result.participation,
+            shapes=shapes,
+            states=self.states,
+            bodies=self.bodies,
+            centres=self.centres,
+            cyclic=self.cyclic,
+            speed=self.speed,
+        )
 
     def frequency_response(self, frequency: ArrayLike) -> Complex:
         """C (s I - A)^-1 B + D at s = 2 pi i *frequency* [Hz], shape (frequencies, outputs, inputs).

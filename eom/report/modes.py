@@ -1,38 +1,47 @@
-"""Modes as a table, a file of numbers and a picture of their locus."""
+"""Modes as tables and a file of numbers."""
 
 import csv
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
+from eom.assembly.matrices import DISPLACEMENTS
 from eom.model.modes import Modes
 from eom.report.table import table
 
 # of the largest root: what rounding makes of a zero
 NEGLIGIBLE = 1e-12
+# of a mode's largest motion: smaller ones have no digit to show
+SEEN = 5e-4
+
+
+def listed(modes: Modes) -> list[int]:
+    """The modes that tables name: each conjugate pair once."""
+    return [k for k, value in enumerate(modes.eigenvalues) if value.imag >= 0.0]
 
 
 def mode_table(modes: Modes) -> str:
     """One line per real root or conjugate pair."""
     lines = []
     largest = float(np.max(np.abs(modes.eigenvalues), initial=0.0))
-    for k, value in enumerate(modes.eigenvalues):
-        if value.imag < 0.0:
-            continue
+    for k in listed(modes):
+        value = modes.eigenvalues[k]
         lines.append(
             (
                 root(value),
                 blank(modes.natural_frequency[k], modes.natural_frequency[k] > 0.0),
                 blank(modes.damping_ratio[k], np.isfinite(modes.damping_ratio[k])),
                 blank(modes.time_constant[k], abs(value.real) > NEGLIGIBLE * largest),
+                blank(modes.wavelength[k], np.isfinite(modes.wavelength[k])),
                 ", ".join(modes.dominant(k, 1 if value == 0.0 else 2)),
             )
         )
-    header = ("root [1/s]", "frequency [Hz]", "damping ratio", "time constant [s]", "mostly")
-    rows = table([*header[:4]], [line[:4] for line in lines]).splitlines()
+    header = ("root [1/s]", "frequency [Hz]", "damping ratio", "time constant [s]", "wavelength [m]", "mostly")
+    rows = table(header[:5], [line[:5] for line in lines]).splitlines()
     return "\n".join(
-        f"{row}  {text}" for row, text in zip(rows, [header[4], *(line[4] for line in lines)], strict=True)
+        f"{row}  {text}" for row, text in zip(rows, [header[5], *(line[5] for line in lines)], strict=True)
     )
 
 
@@ -49,54 +58,70 @@ def blank(value: float, shown: bool) -> str:
     return f"{round(float(value), 4) + 0.0:.4f}" if shown else "-"
 
 
-def sweep_table(name: str, unit: str, values: Sequence[float], sweep: Sequence[Modes]) -> str:
-    """Per value of the parameter: stability, and the root with the largest real part."""
-    lines = []
-    for value, modes in zip(values, sweep, strict=True):
-        moving = modes.eigenvalues[modes.eigenvalues != 0.0]
-        worst = moving[np.argmax(moving.real)] if moving.size else 0j
-        damping = -worst.real / abs(worst) if worst.imag else np.nan
-        lines.append(
-            (
-                f"{value:g}",
-                "yes" if worst.real < 0.0 else "no",
-                root(complex(worst.real, abs(worst.imag))),
-                blank(float(damping), bool(np.isfinite(damping))),
-            )
+def shape_tables(modes: Modes) -> str:
+    """Per real root or pair: size and phase of the motion of each body that moves, and the point it turns about."""
+    return "\n\n".join(shape_table(modes, k) for k in listed(modes))
+
+
+def shape_table(modes: Modes, mode: int) -> str:
+    """One mode; components and bodies that do not move, to three digits, are left out."""
+    shape = modes.shapes[:, :, mode]
+    seen: NDArray[np.bool_] = np.abs(shape) >= SEEN
+    columns, rows = np.flatnonzero(seen.any(axis=0)), np.flatnonzero(seen.any(axis=1))
+    title = f"mode {mode + 1}: {root(modes.eigenvalues[mode])} 1/s"
+    if not rows.size:
+        return f"{title}\nno body leaves its place"
+    points, axes = (values[:, :, mode] for values in modes.instant_centres())
+    units = ["m" if k < 3 else "rad" for k in columns]
+    header = [f"{DISPLACEMENTS[k]} [{unit}]" for k, unit in zip(columns, units, strict=True)]
+    turning: NDArray[np.bool_] = np.any(seen[:, 3:], axis=1)
+    lines = [
+        (
+            modes.bodies[k],
+            *(phasor(complex(value)) for value in shape[k, columns]),
+            vector(points[k].real) if turning[k] else "-",
+            blank(float(np.linalg.norm(points[k].imag)), bool(turning[k])),
+            vector(axes[k].real) if turning[k] else "-",
         )
-    return table((f"{name} [{unit or '-'}]", "stable", "rightmost root [1/s]", "damping ratio"), lines)
+        for k in rows
+    ]
+    return f"{title}\n{table(('body', *header, 'turns about [m]', 'wanders [m]', 'axis'), lines)}"
 
 
-def write_sweep(path: Path, name: str, unit: str, values: Iterable[float], sweep: Iterable[Modes]) -> None:
-    """All roots of a sweep as CSV: parameter, real and imaginary part, full precision."""
+def phasor(value: complex) -> str:
+    """Size and phase in degrees."""
+    if abs(value) < SEEN:
+        return "-"
+    phase = round(float(np.degrees(np.angle(value))))
+    return f"{abs(value):.3f} at {180 if phase == -180 else phase:4d}°"
+
+
+def vector(values: np.ndarray) -> str:
+    """Three numbers."""
+    return "(" + ", ".join(f"{round(float(value), 3) + 0.0:.3f}" for value in values) + ")"
+
+
+def write_modes(path: Path, modes: Modes) -> None:
+    """All modes as CSV at full precision, one a line: figures, shares of the states, motion of the bodies."""
+    motions = [f"{body}.{name}" for body in modes.bodies for name in DISPLACEMENTS]
+    header = ["real [1/s]", "imaginary [1/s]", "frequency [Hz]", "damping ratio", "time constant [s]", "wavelength [m]"]
+    header += [f"participation of {name}" for name in modes.states]
+    header += [f"{name} {part}" for name in motions for part in ("real", "imaginary")]
     with path.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
-        writer.writerow([f"{name} [{unit}]", "real [1/s]", "imaginary [1/s]"])
-        for value, modes in zip(values, sweep, strict=True):
-            writer.writerows((repr(value), repr(z.real), repr(z.imag)) for z in modes.eigenvalues.tolist())
+        writer.writerow(header)
+        writer.writerows([repr(value) for value in line] for line in numbers(modes))
 
 
-def plot_sweep(path: Path, title: str, label: str, values: Sequence[float], sweep: Sequence[Modes]) -> None:
-    """Root locus over the parameter, coloured by its value, as PNG or SVG."""
-    import matplotlib as mpl  # noqa: PLC0415  slow to import
-
-    mpl.use("Agg")
-    from matplotlib import pyplot as plt  # noqa: PLC0415
-
-    # the exact zeros of cyclic coordinates would look like a stability limit
-    roots = [modes.eigenvalues[modes.eigenvalues != 0.0] for modes in sweep]
-    colours = np.repeat(values, [len(own) for own in roots])
-    every = np.concatenate(roots)
-    # fast roots far to the left would hide the ones that matter
-    span = 4.0 * float(np.max(np.abs(every.imag), initial=1.0))
-    figure, axes = plt.subplots(figsize=(7.0, 5.0), layout="constrained")
-    points = axes.scatter(every.real, every.imag, c=colours, s=14, cmap="viridis")
-    axes.axvline(0.0, color="0.6", linewidth=0.8)
-    hidden = int(np.sum(every.real < -span))
-    axes.set_xlim(left=max(float(every.real.min(initial=0.0)), -span) * 1.05 - 0.1)
-    note = f" ({hidden} roots left of {-span:.3g} not shown)" if hidden else ""
-    axes.set(xlabel=f"real part [1/s]{note}", ylabel="imaginary part [rad/s]", title=title)
-    axes.grid(alpha=0.3)
-    figure.colorbar(points, label=label)
-    figure.savefig(path, dpi=150)
-    plt.close(figure)
+def numbers(modes: Modes) -> Iterator[list[float]]:
+    """What `write_modes` writes, mode by mode."""
+    figures = (modes.natural_frequency, modes.damping_ratio, modes.time_constant, modes.wavelength)
+    for k, value in enumerate(modes.eigenvalues.tolist()):
+        shape = modes.shapes[:, :, k].ravel()
+        yield [
+            value.real,
+            value.imag,
+            *(float(figure[k]) for figure in figures),
+            *modes.participation[:, k].tolist(),
+            *np.column_stack([shape.real, shape.imag]).ravel().tolist(),
+        ]

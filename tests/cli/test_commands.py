@@ -1,6 +1,5 @@
 """The commands as a user runs them."""
 
-import csv
 import json
 import subprocess
 import sys
@@ -104,50 +103,6 @@ def test_modes_lists_each_pair_once(monkeypatch: pytest.MonkeyPatch, capsys: pyt
     assert "-1.3179 ± 2.0835i" in out
 
 
-def test_a_sweep_prints_a_table_and_writes_roots_and_a_picture(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    file = FOLDER / "bicycle.yaml"
-    assert run(monkeypatch, "modes", file, "--sweep", "U=3:7:0.5m/s", "--out", tmp_path) == 0
-    lines = [line.split()[:2] for line in capsys.readouterr().out.splitlines() if line[:1].isdigit()]
-    # stable between weave speed 4.29 m/s and capsize speed 6.02 m/s
-    assert lines == [[f"{3 + k / 2:g}", "yes" if 2 < k < 7 else "no"] for k in range(9)]
-    with (tmp_path / "bicycle_U.csv").open() as table:
-        assert len(list(csv.reader(table))) == 1 + 9 * 8
-    assert (tmp_path / "bicycle_U.png").read_bytes().startswith(b"\x89PNG")
-
-
-def test_an_interrupted_sweep_keeps_what_it_has(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    import eom.cli.modes
-
-    calls = iter(range(100))
-
-    def interrupted(car: eom.Vehicle) -> eom.LinearModel:
-        if next(calls) == 3:
-            raise KeyboardInterrupt
-        return eom.linearise(car)
-
-    monkeypatch.setattr(eom.cli.modes, "linearise", interrupted)
-    assert run(monkeypatch, "modes", FOLDER / "disc.yaml", "--sweep", "U=1:9:1", "--out", tmp_path) == 2
-    captured = capsys.readouterr()
-    assert "interrupted after 3 of 9 values" in captured.err
-    with (tmp_path / "disc_U.csv").open() as table:
-        assert len(list(csv.reader(table))) == 1 + 3 * 8
-
-
-def test_a_sweep_beyond_a_bound_keeps_what_it_has(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    file = FOLDER / "b_train_yaw_plane.yaml"
-    assert run(monkeypatch, "modes", file, "--sweep", "U=140:200:10km/h", "--out", tmp_path) == 2
-    captured = capsys.readouterr()
-    assert "at most 44.4444 is allowed" in captured.err
-    assert "stopped after 3 of 7 values" in captured.err
-    assert (tmp_path / "b_train_yaw_plane_U.csv").exists()
-
-
 def test_schema_is_valid_json_with_the_files_keys(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -164,10 +119,6 @@ def test_schema_is_valid_json_with_the_files_keys(
         (["check", FOLDER / "disc.yaml", "--set", "U"], "expected NAME=VALUE"),
         (["check", FOLDER / "disc.yaml", "--set", "u=3"], "there is no such parameter; did you mean"),
         (["check", FOLDER / "disc.yaml", "--set", "r=3 kg"], "'3 kg' is in kg, expected m"),
-        (["modes", FOLDER / "disc.yaml", "--sweep", "U=1:2"], "expected NAME=FROM:TO:STEP"),
-        (["modes", FOLDER / "disc.yaml", "--sweep", "U=2:1:0.5"], "does not lead from 2 to 1"),
-        (["modes", FOLDER / "disc.yaml", "--sweep", "U=1:2:1e-9"], "steps, at most"),
-        (["modes", FOLDER / "disc.yaml", "--sweep", "U=0:1e308:1e-10"], "steps, at most"),
         (["check", FOLDER / "b_train_yaw_roll.yaml", "--set", "U=200 km/h"], "at most 44.4444 is allowed"),
     ],
 )
@@ -194,8 +145,6 @@ def test_every_bad_file_ends_with_status_2_and_its_place(
     ("arguments", "sentence"),
     [
         (["check", FOLDER / "disc.yaml", "--set", "U=1", "--set", "U=2"], "--set U: is given twice"),
-        (["modes", FOLDER / "disc.yaml", "--set", "U=1", "--sweep", "U=1:2:1"], "the sweep sets it"),
-        (["modes", FOLDER / "disc.yaml", "--out", "here"], "--out goes with --sweep"),
         (["build", FOLDER / "disc.yaml", "--out", __file__], "cannot be written"),
     ],
 )

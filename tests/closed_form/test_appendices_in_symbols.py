@@ -2,8 +2,8 @@
 
 As in `tests.closed_form.test_generator`, x = X z are the thesis's states (SAE axes) by the generated ones (ISO 8855),
 and inputs change their sign. The generated equations E dz/dt = A z + B u become the thesis's, M dx/dt = P x + H u, by
-row operations L: L E = M X, L A = P X and L B = H. A generated equation of motion is the sum of all forces and moments on a
-motion that the couplings allow; the thesis sums them otherwise, and L says how.
+row operations L: L E = M X, L A = P X and L B = H. A generated equation of motion is the sum of all forces and moments
+on a motion that the couplings allow; the thesis sums them otherwise, and L says how.
 """
 
 import sympy
