@@ -12,7 +12,8 @@ from eom.analysis.measures import Measure
 from eom.analysis.reach import ModalReach, modal_reach
 from eom.analysis.ride import RoadResponse, road_response
 from eom.analysis.road import displacement_psd, track_coherence
-from eom.analysis.transient import TimeResponse, forced_response, impulse_response, sine_response, step_response
+from eom.analysis.time_response import TimeResponse
+from eom.analysis.transient import forced_response, impulse_response, sine_response, step_response
 from eom.analysis.zeros import Zeros, transmission_zeros
 
 __all__ = [

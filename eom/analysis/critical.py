@@ -1,17 +1,22 @@
 """Values of a parameter at which a model becomes unstable or stable."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 import numpy as np
 
 from eom.analysis.crossings import Crossing, crossings
 from eom.analysis.locus import RootLocus, root_locus
+from eom.analysis.stability import sides
 from eom.errors import AnalysisError
 from eom.model.modes import Modes
 from eom.vehicle.load import Vehicle
 
 # values of the first locus
 POINTS = 33
+# of a value: what is as good as the same
+TOLERANCE = 1e-9
 # of the largest motion in the mode: bodies that move less are not named
 MOVES = 0.1
 
@@ -58,8 +63,8 @@ def critical_values(
     roots on the axis itself: there the value is solved for at which two of them meet and leave it.
 
     Not found are: a double crossing so narrow that its neighbours do not show it; a root that touches the axis without
-    crossing, which changes no stability; a crossing where roots were not recognised (`RootLocus.unclear`); a damped
-    motion that becomes undamped for a whole range of values.
+    crossing, which changes no stability; a crossing where roots were not recognised (`RootLocus.unclear`), of which
+    `unexplained` tells; a damped motion that becomes undamped for a whole range of values.
 
     Parameters
     ----------
@@ -88,6 +93,25 @@ def critical_values(
 def critical_of(locus: RootLocus) -> tuple[CriticalValue, ...]:
     """The critical values within a locus, whose own values take the place of the 33 of `critical_values`."""
     return tuple(map(described, crossings(locus.family, locus.steps)))
+
+
+def unexplained(locus: RootLocus, found: Sequence[CriticalValue]) -> tuple[tuple[float, float], ...]:
+    """Neighbouring values of a locus between which more or fewer roots became unstable than *found* says.
+
+    Roots that were taken for each other where they met may hide a crossing; values at which one stands are left out.
+    """
+    counts = [int(np.sum(sides(modes) > 0)) for modes in locus.modes]
+    effect = [
+        (item.value, (1 if item.kind == "divergence" else 2) * (1 if item.becomes == "unstable" else -1))
+        for item in found
+    ]
+    gaps = []
+    for (a, before), (b, after) in pairwise(sorted(zip(locus.values.tolist(), counts, strict=True))):
+        near = [change for value, change in effect if a - TOLERANCE * abs(a) <= value <= b + TOLERANCE * abs(b)]
+        at_an_end = any(np.isclose(value, (a, b), rtol=TOLERANCE, atol=0.0).any() for value, _ in effect)
+        if not at_an_end and after - before != sum(near):
+            gaps.append((a, b))
+    return tuple(gaps)
 
 
 def described(crossing: Crossing) -> CriticalValue:

@@ -1,37 +1,25 @@
 """Response to a random road: power spectral densities and RMS values of the outputs."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from eom.analysis.figures import panels
-from eom.analysis.grid import check_range, frequency_grid
-from eom.analysis.road import CLASSES, REFERENCE, SPATIAL, track_coherence
-from eom.analysis.roots import is_stable, moving_roots
-from eom.analysis.signals import Indices, indices
+from eom.analysis.grid import check_range
+from eom.analysis.road import CLASSES, SPATIAL
+from eom.analysis.roots import is_stable
+from eom.analysis.signals import indices
+from eom.analysis.vibration import Contact, integral, output_psd, road_contacts, road_grid
 from eom.assembly.vectors import Array
 from eom.errors import AnalysisError
 from eom.model.assembly import Assembly
 from eom.model.linear import LinearModel, linearise
-from eom.vehicle.elements import GROUND, Input
 from eom.vehicle.load import Vehicle
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-PRECISION = 1e-8
-SUBDIVISIONS = 20_000
-PER_WAVE, WAVE_POINTS = 16, 4000
-
-
-class Contact(NamedTuple):
-    """A road input: its column among the model's inputs, and its place [m]: x forward, y to the left."""
-
-    column: int
-    x: float
-    y: float
 
 
 @dataclass(frozen=True)
@@ -120,12 +108,7 @@ def road_response(
         that is none.
     """
     model = linearise(vehicle)
-    system = vehicle.system
-    contacts = [
-        Contact(k, item.connection.places[0][0], item.connection.places[0][1])
-        for k, item in enumerate(system.inputs)
-        if is_road(item)
-    ]
+    contacts = road_contacts(vehicle.system.inputs)
     names = model.outputs if outputs is None else tuple(dict.fromkeys(outputs))
     mistakes = request_mistakes(model, contacts, road, speed)
     try:
@@ -158,26 +141,6 @@ def road_response(
     )
 
 
-def road_grid(model: LinearModel, contacts: list[Contact], speed: float, band: tuple[float, float]) -> Array:
-    """The model's grid [Hz], close enough besides to show the waves between the first and the last input.
-
-    These repeat every speed/wheelbase; at most 4000 points are spent on them, from the lowest frequency on.
-    """
-    grid = frequency_grid(model, *band)
-    length = max(item.x for item in contacts) - min(item.x for item in contacts)
-    if length == 0.0:
-        return grid
-    waves = band[0] + speed / (PER_WAVE * length) * np.arange(WAVE_POINTS)
-    return np.union1d(grid, waves[waves < band[1]])
-
-
-def is_road(item: Input) -> bool:
-    """Whether an input is a height of the road under a body."""
-    joint = item.connection
-    vertical = joint.forces == 1 and not joint.line and np.allclose(joint.force_axis, (0.0, 0.0, 1.0))
-    return bool(item.unit == "m" and vertical and joint.bodies[1] == GROUND)
-
-
 def request_mistakes(model: LinearModel, contacts: list[Contact], road: str | float, speed: float | None) -> list[str]:
     """Sentences for what keeps a vehicle from being driven on a random road."""
     mistakes = []
@@ -195,55 +158,3 @@ def request_mistakes(model: LinearModel, contacts: list[Contact], road: str | fl
     if not is_stable(model):
         mistakes.append(f"{model.name}: is unstable or undamped: no steady vibration exists")
     return mistakes
-
-
-def output_psd(
-    model: LinearModel, rows: Indices, contacts: list[Contact], road: tuple[float, float], f: Array
-) -> Array:
-    """One-sided PSDs of outputs at frequencies [Hz], shape (n, outputs); *road* is roughness [m^3] and speed [m/s].
-
-    By frequency f = speed n the road's PSD is G_d(n)/speed; an input at x sees it with the phase 2 pi f x/speed.
-    """
-    roughness, speed = road
-    H = model.frequency_response(f)[:, rows][:, :, [item.column for item in contacts]]
-    x, y = (np.array([getattr(item, axis) for item in contacts]) for axis in "xy")
-    n = f[:, np.newaxis, np.newaxis] / speed
-    apart = np.abs(np.subtract.outer(y, y))
-    together = np.stack([[track_coherence(n[:, 0, 0], float(value)) for value in row] for row in apart])
-    cross = np.moveaxis(together, 2, 0) * np.exp(2j * np.pi * n * np.subtract.outer(x, x))
-    height = roughness * REFERENCE**2 * speed / f**2
-    return np.asarray(np.einsum("fki,fij,fkj->fk", H, cross, H.conj()).real * height[:, np.newaxis])
-
-
-def integral(model: LinearModel, densities: Callable[[Array], Array], first: float, last: float) -> Array:
-    """Integrals of the densities over a band, each to a relative error of 1e-8, by adaptive quadrature over log f.
-
-    Raises `AnalysisError` where that is not reached.
-    """
-    from scipy.integrate import quad_vec  # noqa: PLC0415  slow to import
-
-    grid = frequency_grid(model, first, last)
-    coarse = np.trapezoid(densities(grid), grid, axis=0)
-    scale = np.where(coarse > 0.0, coarse, 1.0)
-
-    def weighted(log_f: float) -> Array:
-        f = np.exp(log_f)
-        return np.asarray(densities(np.array([f]))[0] * f / scale)
-
-    own = np.abs(moving_roots(model)) / (2.0 * np.pi)
-    breaks = np.log(np.unique(own[(own > first) & (own < last)]))
-    total, error, info = quad_vec(
-        weighted,
-        np.log(first),
-        np.log(last),
-        epsabs=PRECISION,
-        epsrel=PRECISION,
-        norm="max",
-        limit=SUBDIVISIONS,
-        points=breaks,
-        full_output=True,
-    )
-    if not info.success:
-        message = f"{model.name}: RMS values over {first:g} to {last:g} Hz reached only a relative error of {error:.1e}"
-        raise AnalysisError(message)
-    return np.asarray(np.maximum(total, 0.0) * scale)

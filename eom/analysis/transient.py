@@ -1,76 +1,20 @@
 """Responses in time: step, impulse, sine and given inputs, exact at the samples."""
 
-from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from collections.abc import Callable, Mapping
+from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from eom.analysis.figures import panels
 from eom.analysis.grid import time_grid
 from eom.analysis.march import held, march, sine, straight
-from eom.analysis.roots import is_stable
 from eom.analysis.signals import input_index, unknown
+from eom.analysis.time_response import TimeResponse, finished
 from eom.assembly.vectors import Array
 from eom.errors import AnalysisError
 from eom.model.linear import LinearModel
 
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
 Signal = ArrayLike | Callable[[Array], ArrayLike]
-
-
-@dataclass(frozen=True)
-class TimeResponse:
-    """Motion of a model over time, from rest unless an initial state is given.
-
-    Attributes
-    ----------
-    model : LinearModel
-    time : Array
-        Shape (n,) [s].
-    inputs : Array
-        Shape (n, inputs of the model), in their units; at a jump the value after it.
-    states : Array
-        Shape (n, states).
-    outputs : Array
-        Shape (n, outputs), in their units; at a jump the value after it.
-    delta : Array
-        Shape (outputs,): area of the Dirac impulse at the first sample that each output holds besides
-        ``outputs`` [output's unit times s]; zero but for an impulse through D.
-    what : str
-        The input in words.
-    stable : bool
-        False: the motion does not settle.
-    """
-
-    model: LinearModel
-    time: Array
-    inputs: Array
-    states: Array
-    outputs: Array
-    delta: Array
-    what: str
-    stable: bool
-
-    def of(self, name: str) -> Array:
-        """One output over time, shape (n,); raises `AnalysisError` for an unknown one."""
-        if name not in self.model.outputs:
-            raise AnalysisError(unknown("output", name, self.model.outputs))
-        return self.outputs[:, self.model.outputs.index(name)]
-
-    def plot(self, outputs: Iterable[str] | None = None) -> "Figure":
-        """Inputs that act and outputs (all by default) over time, a panel for each unit."""
-        model = self.model
-        acting = np.flatnonzero(np.any(self.inputs != 0.0, axis=0))
-        curves = [(model.inputs[k], f"input [{model.input_units[k]}]", self.inputs[:, k]) for k in acting]
-        for name in model.outputs if outputs is None else outputs:
-            unit = model.output_units[model.outputs.index(name)] if name in model.outputs else ""
-            curves.append((name, f"[{unit}]", self.of(name)))
-        note = "" if self.stable else " (unstable)"
-        return panels(self.time, curves, ("time [s]", f"{model.name}: {self.what}{note}"))
 
 
 def checked_time(model: LinearModel, time: ArrayLike | None) -> Array:
@@ -83,15 +27,6 @@ def checked_time(model: LinearModel, time: ArrayLike | None) -> Array:
         message = f"times: start at {result[0]:g} s, expected zero or later: the motion starts from rest at zero"
         raise AnalysisError(message)
     return result
-
-
-def finished(
-    model: LinearModel, time: Array, u: Array, x: Array, what: str, delta: Array | None = None
-) -> TimeResponse:
-    """The result from states and inputs."""
-    outputs = x @ model.C.T + u @ model.D.T
-    none = np.zeros(len(model.outputs))
-    return TimeResponse(model, time, u, x, outputs, none if delta is None else delta, what, is_stable(model))
 
 
 def initial_state(model: LinearModel, initial: ArrayLike | None) -> Array:

@@ -9,6 +9,7 @@ from eom.analysis.kinematics import KinematicSweep, kinematic_sweep
 from eom.cli.settings import UsageError, load_with
 from eom.errors import MechanismError
 from eom.report.kinematics import plot_kinematics, sweep_tables, write_kinematics
+from eom.report.pictures import check_picture
 from eom.vehicle.quantity import MEASURED
 
 
@@ -41,6 +42,8 @@ def run_kinematics(
 ) -> None:
     """Print the tables of a sweep, write its files; a sweep that ended early keeps what it has and says so."""
     hold, free, points = request
+    if outputs[1] is not None:
+        check_picture(outputs[1])
     ranges = parse_drives(drives)
     vehicle = load_with(file, settings)
     try:

@@ -11,7 +11,8 @@ from eom.analysis.frequency import frequency_response
 from eom.analysis.gains import steady_gains
 from eom.analysis.grid import frequency_grid, time_grid
 from eom.analysis.ride import road_response
-from eom.analysis.transient import TimeResponse, impulse_response, sine_response, step_response
+from eom.analysis.time_response import TimeResponse
+from eom.analysis.transient import impulse_response, sine_response, step_response
 from eom.cli.request import Options, Plan, understood
 from eom.cli.settings import load_with
 from eom.errors import SingularError

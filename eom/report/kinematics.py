@@ -8,6 +8,7 @@ import numpy as np
 
 from eom.analysis.kinematics import KinematicSweep
 from eom.analysis.measures import Measure
+from eom.report.pictures import save
 from eom.report.table import table
 
 SHOWN = {"m": ("mm", 1e3, 2), "rad": ("deg", 180.0 / np.pi, 3)}
@@ -107,5 +108,5 @@ def plot_kinematics(path: Path, sweep: KinematicSweep) -> None:
         if axes.lines:
             axes.legend(fontsize="small")
     figure.suptitle(sweep.vehicle.name)
-    figure.savefig(path, dpi=150)
+    save(figure, path)
     plt.close(figure)

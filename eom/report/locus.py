@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from eom.analysis.critical import CriticalValue
+from eom.analysis.critical import CriticalValue, unexplained
 from eom.analysis.locus import RootLocus
 from eom.analysis.stability import rightmost, sides
 from eom.report.modes import blank, root
@@ -32,7 +32,7 @@ def locus_table(locus: RootLocus) -> str:
 
 
 def critical_table(locus: RootLocus, found: Sequence[CriticalValue]) -> str:
-    """The critical values, and where branches could not be told apart."""
+    """The critical values, where branches could not be told apart, and what these values do not explain."""
     between = f"between {min(locus.values):g} and {max(locus.values):g}"
     if found:
         header = (f"critical {locus.parameter} [{locus.unit or '-'}]", "kind", "frequency [Hz]", "becomes", "bodies")
@@ -51,6 +51,10 @@ def critical_table(locus: RootLocus, found: Sequence[CriticalValue]) -> str:
         text = f"no critical value of {locus.parameter} {between}"
     notes = [
         f"roots meet between {a:.6g} and {b:.6g}: which branch is which beyond is a guess" for a, b in locus.unclear
+    ]
+    notes += [
+        f"between {a:g} and {b:g} the number of unstable roots changes otherwise than these say: take smaller steps"
+        for a, b in unexplained(locus, found)
     ]
     return "\n".join([text, *notes])
 

@@ -9,7 +9,7 @@ import numpy as np
 from eom.analysis.frequency import FrequencyResponse
 from eom.analysis.gains import SteadyGains
 from eom.analysis.ride import RoadResponse
-from eom.analysis.transient import TimeResponse
+from eom.analysis.time_response import TimeResponse
 from eom.model.linear import LinearModel
 from eom.report.table import table
 

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from scipy.optimize import brentq
 
 import eom
-from eom.analysis.critical import CriticalValue, critical_of, critical_values
+from eom.analysis.critical import CriticalValue, critical_of, critical_values, unexplained
 from eom.analysis.family import nodes_at
 from eom.analysis.locus import locus_of
 from tests.analysis.families import Array, hidden, model_of, oscillator
@@ -275,3 +275,15 @@ def test_falling_values_find_the_same_with_the_same_direction() -> None:
 def test_an_empty_range_is_refused(between: tuple[float, float]) -> None:
     with pytest.raises(eom.AnalysisError, match="expected a lower and a higher value"):
         critical_values(vehicle("bicycle"), "U", between)
+
+
+@pytest.mark.parametrize(("name", "low", "high"), [("car_trailer", 90, 130), ("shimmy", 1, 20), ("bicycle", 2, 9)])
+def test_the_critical_values_explain_how_many_roots_are_unstable_and_fewer_do_not(
+    name: str, low: float, high: float
+) -> None:
+    unit = "km/h" if name == "car_trailer" else "m/s"
+    locus = eom.root_locus(vehicle(name), "U", np.linspace(low, high, 14).tolist(), unit)
+    found = critical_of(locus)
+    assert unexplained(locus, found) == ()
+    ((a, b),) = unexplained(locus, found[1:])
+    assert a < found[0].value < b

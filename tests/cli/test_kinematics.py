@@ -69,3 +69,11 @@ def test_a_mistake_gives_its_sentence_and_status_2(
 
 def test_nothing_to_drive_is_a_mistake_of_the_command_line(monkeypatch: pytest.MonkeyPatch) -> None:
     assert run(monkeypatch, "kinematics", STRUT) == 2
+
+
+def test_a_picture_needs_an_ending_that_tells_its_format(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    drive = ("--drive", "rack=-10mm:10mm", "--plot", tmp_path / "curves.xyz")
+    assert run(monkeypatch, "kinematics", FOLDER / "strut_suspension.yaml", *drive) == 2
+    assert "expected a picture's name that ends in .png or .svg" in capsys.readouterr().err
