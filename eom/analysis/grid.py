@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from eom.analysis.roots import decaying, moving_roots
+from eom.analysis.roots import moving_roots
+from eom.analysis.stability import sides_of
 from eom.assembly.vectors import Array
 from eom.errors import AnalysisError
 from eom.model.linear import LinearModel
@@ -57,8 +58,8 @@ def time_grid(model: LinearModel) -> Array:
     roots show ten periods.
     """
     roots = moving_roots(model)
-    decays, limit = roots[decaying(roots)], np.max(np.abs(roots), initial=0.0) * UNDAMPED
-    grows, swings = roots.real[roots.real > limit], np.abs(roots.imag[np.abs(roots.real) <= limit])
+    side = sides_of(roots)
+    decays, grows, swings = roots[side < 0], roots.real[side > 0], np.abs(roots.imag[side == 0])
     ends = [7.0 / -decays.real.max()] if decays.size else []
     ends += [10.0 * 2.0 * np.pi / swings[swings > 0.0].min()] if np.any(swings > 0.0) else []
     longest = max(ends, default=LONG)

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from eom.analysis.roots import ROUNDING
 from eom.analysis.signals import indices
+from eom.analysis.stability import sides, sides_of
 from eom.assembly.vectors import Array
 from eom.model.eigen import Complex
 from eom.model.linear import LinearModel
@@ -57,8 +57,7 @@ def hankel_values(model: LinearModel, inputs: Iterable[str], outputs: Iterable[s
     columns, rows = indices(model, sources, told)
     A, B, C = stable_part(model, model.B[:, columns], model.C[rows])
     modes = model.modes()
-    size = np.max(np.abs(modes.eigenvalues), initial=0.0)
-    rest = np.flatnonzero(modes.eigenvalues.real >= -ROUNDING * size)
+    rest = np.flatnonzero(sides(modes) >= 0)
     names = tuple(modes.dominant(int(k), 1)[0] for k in rest)
     return HankelValues(hankel(A, B, C), modes.eigenvalues[rest], names, sources, told)
 
@@ -70,8 +69,7 @@ def stable_part(model: LinearModel, B: Array, C: Array) -> tuple[Complex, Comple
     c = np.array(model.cyclic, dtype=int)
     r = np.setdiff1d(np.arange(len(model.A)), c)
     own = model.A[np.ix_(r, r)]
-    limit = -ROUNDING * np.max(np.abs(np.linalg.eigvals(own)), initial=0.0)
-    S, Q, unstable = ordered_schur(own, float(limit))
+    S, Q, unstable = ordered_schur(own)
     # cyclic states, then roots that do not decay, then those that do: block upper triangular
     first = len(c) + unstable
     A = np.block([[model.A[np.ix_(c, c)], model.A[np.ix_(c, r)] @ Q], [np.zeros((len(r), len(c))), S]])
@@ -85,14 +83,20 @@ def stable_part(model: LinearModel, B: Array, C: Array) -> tuple[Complex, Comple
     return stable.astype(complex), B[first:].astype(complex), C[:, first:].astype(complex)
 
 
-def ordered_schur(A: Array, limit: float) -> tuple[Complex, Complex, int]:
-    """Complex Schur form Q S Q*, roots with a real part of at least *limit* first, and their number."""
+def ordered_schur(A: Array) -> tuple[Complex, Complex, int]:
+    """Complex Schur form Q S Q*, roots that do not decay first, and their number."""
     from scipy.linalg import schur  # noqa: PLC0415  slow to import
 
     if not len(A):
         return A.astype(complex), A.astype(complex), 0
+    roots = np.linalg.eigvals(A).astype(complex)
+    stays = sides_of(roots) >= 0
+
+    def first(root: complex) -> bool:
+        return bool(stays[np.argmin(np.abs(roots - root))])
+
     # the stubs know the sorting of real forms alone
-    S, Q, count = schur(A.astype(complex), output="complex", sort=lambda root: root.real >= limit)  # type: ignore[call-overload]
+    S, Q, count = schur(A.astype(complex), output="complex", sort=first)  # type: ignore[call-overload]
     return S, Q, int(count)
 
 

@@ -2,11 +2,9 @@
 
 import numpy as np
 
+from eom.analysis.stability import sides_of
 from eom.model.eigen import Complex
 from eom.model.linear import LinearModel
-
-# of the largest root: real parts that are rounding
-ROUNDING = 1e-12
 
 
 def moving_roots(model: LinearModel) -> Complex:
@@ -15,14 +13,9 @@ def moving_roots(model: LinearModel) -> Complex:
     return np.linalg.eigvals(model.A[np.ix_(kept, kept)]).astype(complex)
 
 
-def decaying(roots: Complex) -> np.ndarray:
-    """Which roots have a negative real part, rounding left out."""
-    return np.asarray(roots.real < -ROUNDING * np.max(np.abs(roots), initial=0.0))
-
-
 def is_stable(model: LinearModel) -> bool:
     """Whether every motion decays, but for drift along cyclic coordinates.
 
     Where it does not, a steady gain or a frequency response is formal: no motion settles to it.
     """
-    return bool(np.all(decaying(moving_roots(model))))
+    return bool(np.all(sides_of(moving_roots(model)) < 0))

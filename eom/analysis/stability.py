@@ -4,23 +4,28 @@ import numpy as np
 from numpy.typing import NDArray
 
 from eom.assembly.vectors import Array
+from eom.model.eigen import Complex
 from eom.model.modes import Modes
 
 # of the largest root, and of an oscillation's own: a smaller real part is rounding
 ON_AXIS, ON_AXIS_OSCILLATING = 1e-9, 1e-7
 
 
-def on_axis(modes: Modes) -> Array:
-    """Per mode: the real part that may be rounding [1/s]."""
-    size = np.abs(modes.eigenvalues)
-    own = np.where(modes.eigenvalues.imag != 0.0, ON_AXIS_OSCILLATING * size, 0.0)
+def on_axis(roots: Complex) -> Array:
+    """Per root of all roots of a model: the real part that may be rounding [1/s]."""
+    size = np.abs(roots)
+    own = np.where(roots.imag != 0.0, ON_AXIS_OSCILLATING * size, 0.0)
     return np.asarray(ON_AXIS * np.max(size, initial=0.0) + own)
 
 
+def sides_of(roots: Complex) -> NDArray[np.intp]:
+    """Per root of all roots of a model: 1 right of the imaginary axis, -1 left, 0 on it but for rounding."""
+    return np.where(np.abs(roots.real) <= on_axis(roots), 0, np.sign(roots.real)).astype(np.intp)
+
+
 def sides(modes: Modes) -> NDArray[np.intp]:
-    """Per mode: 1 right of the imaginary axis, -1 left, 0 on it but for rounding."""
-    real = modes.eigenvalues.real
-    return np.where(np.abs(real) <= on_axis(modes), 0, np.sign(real)).astype(np.intp)
+    """Per mode: on which side of the imaginary axis it is, see `sides_of`."""
+    return sides_of(modes.eigenvalues)
 
 
 def rightmost(modes: Modes) -> int | None:

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from eom.analysis.family import Family, Node
 from eom.analysis.matching import Indices
-from eom.analysis.stability import on_axis, sides
+from eom.analysis.stability import on_axis, sides_of
 from eom.analysis.tracking import Step, composed, link
 from eom.assembly.vectors import Array
 
@@ -73,7 +73,8 @@ def suspicious(trail: Trail) -> NDArray[np.bool_]:
     result = np.full(len(trail.nodes) - 1, len(trail.nodes) == 2)
     x, real = np.array([node.value for node in trail.nodes]), trail.real
     limits, side = (
-        np.array([figure(node.modes)[order] for node, order in zip(*trail, strict=True)]) for figure in (on_axis, sides)
+        np.array([figure(node.modes.eigenvalues)[order] for node, order in zip(*trail, strict=True)])
+        for figure in (on_axis, sides_of)
     )
     for k in range(len(x) - 2):
         for step in (k, k + 1):

@@ -103,3 +103,11 @@ def test_unknown_names_get_their_sentences() -> None:
         hankel_values(eom.linearise(vehicle("quarter_car")), ["rod"], ["travel"])
     assert str(error.value).splitlines()[0] == "input rod: there is no such input; did you mean 'road'?"
     assert len(str(error.value).splitlines()) == 2
+
+
+@pytest.mark.parametrize("EI_z", [1.7e3, 2.3e4, 9.1e5])
+def test_an_undamped_structure_has_no_stable_part_whatever_rounding_says(EI_z: float) -> None:
+    beam = eom.linearise(vehicle("cantilever", EI_z=EI_z))
+    found = hankel_values(beam, beam.inputs, beam.outputs)
+    assert len(found.values) == 0
+    assert len(found.left_out) == len(beam.A)
