@@ -101,6 +101,8 @@ class FrequencyResponse:
 
         f, magnitude = self.frequency, np.where(np.isnan(self.magnitude[:, k]), -np.inf, self.magnitude[:, k])
         best = int(np.argmax(magnitude))
+        if magnitude[best] < 0.0:
+            return Peak(float(f[best]), np.nan, False)
         found = Peak(float(f[best]), float(magnitude[best]), 0 < best < len(f) - 1)
         if len(f) < 2 or not np.isfinite(found.value):
             return found
@@ -124,7 +126,7 @@ class FrequencyResponse:
         turns = [
             (name, "phase [deg]", np.rad2deg(column)) for name, column in zip(self.names, self.phase.T, strict=True)
         ]
-        note = "" if self.stable else " (unstable: formal)"
+        note = "" if self.stable else " (unstable or undamped: formal)"
         title = f"{self.model.name}: response to {self.source}{note}"
         moving = self.frequency > 0.0
         every = [(name, unit or "ratio [-]", column[moving]) for name, unit, column in [*curves, *turns]]
@@ -145,13 +147,13 @@ def frequency_response(
         Outputs, or ratios of two such as ``"semitrailer_2.ay/tractor.ay"``, the rearward amplification. All outputs
         if not given.
     frequency : array_like, optional
-        Frequencies [Hz]; at zero the steady gain is taken. By default as `eom.analysis.grid.frequency_grid`.
+        Frequencies [Hz]; at zero the steady gain is taken, at an undamped root that an output sees it is infinite. By
+        default as `eom.analysis.grid.frequency_grid`.
 
     Raises
     ------
     AnalysisError
-        For names that the model does not have, for negative frequencies, for a frequency at which an undamped root
-        makes the response infinite.
+        For names that the model does not have, for negative frequencies.
     SingularError
         As `eom.analysis.gains.steady_gains`, at zero.
     """
@@ -163,6 +165,16 @@ def frequency_response(
     return FrequencyResponse(model, source, channels, f, evaluate(model, index, channels, f), is_stable(model))
 
 
+def at_a_pole(model: LinearModel, source: int, f: float) -> Complex:
+    """Values of all outputs at a frequency [Hz] where an undamped root may stand: infinite where the output sees it."""
+    try:
+        return model.frequency_response([f])[0, :, source]
+    except np.linalg.LinAlgError:
+        # a pole multiplies by a hundred from one distance to the other
+        far, near = model.frequency_response([f * (1.0 + 1e-7), f * (1.0 + 1e-9)])[:, :, source]
+        return np.where(np.abs(near) > 10.0 * np.abs(far), np.inf, near)
+
+
 def evaluate(model: LinearModel, source: int, channels: tuple[Channel, ...], f: Array) -> Complex:
     """Values of the channels at frequencies [Hz], shape (n, channels)."""
     every = np.empty((len(f), len(model.outputs)), dtype=complex)
@@ -170,8 +182,7 @@ def evaluate(model: LinearModel, source: int, channels: tuple[Channel, ...], f: 
     try:
         every[moving] = model.frequency_response(f[moving])[:, :, source]
     except np.linalg.LinAlgError:
-        message = f"{model.name}: an undamped root makes the response infinite at one of the frequencies"
-        raise AnalysisError(message) from None
+        every[moving] = [at_a_pole(model, source, float(frequency)) for frequency in f[moving]]
     if not np.all(moving):
         every[~moving] = steady_gains(model).values[:, source]
     columns = []

@@ -11,9 +11,7 @@ from eom.model.linear import LinearModel
 PER_DECADE = 60
 # around a root, in half-widths of its resonance
 NEAR = np.array([-3.0, -2.0, -1.5, -1.0, -0.5, 0.0, 0.5, 1.0, 1.5, 2.0, 3.0])
-# of a root's size: a damping below it is rounding, and the root a pole of the frequency response
-UNDAMPED = 1e-9
-SAMPLES = 1001
+SAMPLES, RATIO = 1001, 8
 # where no root says anything
 WIDE = (1e-2, 1e2)
 LONG = 1.0
@@ -39,7 +37,7 @@ def frequency_grid(model: LinearModel, first: float | None = None, last: float |
     check_range(first, last)
     count = int(np.ceil(PER_DECADE * np.log10(last / first))) + 1
     even = np.geomspace(first, last, max(count, 2))
-    swinging = roots[(roots.imag > 0.0) & (np.abs(roots.real) > UNDAMPED * np.abs(roots))]
+    swinging = roots[(roots.imag > 0.0) & (sides_of(roots) != 0)]
     near = (swinging.imag[:, np.newaxis] + NEAR * np.abs(swinging.real)[:, np.newaxis]).ravel() / (2.0 * np.pi)
     return np.unique(np.concatenate([even, near[(near > first) & (near < last)]]))
 
@@ -47,8 +45,22 @@ def frequency_grid(model: LinearModel, first: float | None = None, last: float |
 def undamped_frequencies(model: LinearModel) -> Array:
     """Frequencies [Hz] of the roots that oscillate without damping, where a frequency response is infinite."""
     roots = moving_roots(model)
-    undamped = roots[(roots.imag > 0.0) & (np.abs(roots.real) <= UNDAMPED * np.abs(roots))]
+    undamped = roots[(roots.imag > 0.0) & (sides_of(roots) == 0)]
     return np.asarray(np.sort(undamped.imag) / (2.0 * np.pi))
+
+
+def nested_times(model: LinearModel, until: float) -> Array:
+    """Times [s] from zero to *until*, ever closer towards zero: steps grow with the time since the motion began.
+
+    Even grids, each an eighth as long as the next one, the shortest as short as the fastest root's time.
+    """
+    fastest = np.max(np.abs(moving_roots(model)), initial=0.0)
+    levels = max(0, int(np.ceil(np.log(max(fastest * until, 1.0)) / np.log(RATIO))))
+    even = np.arange(SAMPLES) / (SAMPLES - 1)
+    pieces = [even * (until / RATIO**levels)]
+    # what the shorter grid covers is left out of each longer one
+    pieces += [even[even > 1.0 / RATIO] * (until / RATIO**k) for k in range(levels - 1, -1, -1)]
+    return np.concatenate(pieces)
 
 
 def time_grid(model: LinearModel) -> Array:

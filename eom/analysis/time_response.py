@@ -64,7 +64,7 @@ class TimeResponse:
         for name in model.outputs if outputs is None else outputs:
             unit = model.output_units[model.outputs.index(name)] if name in model.outputs else ""
             curves.append((name, f"[{unit}]", self.of(name)))
-        note = "" if self.stable else " (unstable)"
+        note = "" if self.stable else " (unstable or undamped)"
         return panels(self.time, curves, ("time [s]", f"{model.name}: {self.what}{note}"))
 
 

@@ -8,6 +8,7 @@ from eom.cli.settings import UsageError
 
 RANGE = re.compile(r"\s*([A-Za-z][\w.]*)\s*=\s*([^:]+):([^:]+):\s*([-+\d.eE]+)\s*(.*?)\s*")
 MAX_STEPS = 10_000
+ROUNDING = 1e-12
 
 
 class Range(NamedTuple):
@@ -56,4 +57,7 @@ def parse_range(text: str) -> Range:
     if not steps < MAX_STEPS:
         raise UsageError(f"{text}: has {steps:.0f} steps, at most {MAX_STEPS} are allowed")
     count = int(steps * (1.0 + 1e-12) + 1e-9) + 1
-    return Range(match[1], [start + k * step for k in range(count)], match[5])
+    values = [start + k * step for k in range(count)]
+    # a value that the steps meet at zero is zero, not what rounding leaves of it
+    size = max(abs(start), abs(stop))
+    return Range(match[1], [0.0 if abs(value) < ROUNDING * size else value for value in values], match[5])

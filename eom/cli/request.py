@@ -61,6 +61,8 @@ def understood(model: LinearModel, options: Options) -> Plan:
     source = options.source or next(iter(model.inputs), "")
     if not model.inputs:
         mistakes.append(f"{model.name}: has no inputs, so nothing to respond to: give it actuators or steered axles")
+    if not model.outputs:
+        mistakes.append(f"{model.name}: has no outputs, so nothing to tell: give it sensors or units")
     channels: tuple[Channel, ...] = ()
     try:
         channels = signals(model, source, options.outputs or None)[1]

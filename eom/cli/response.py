@@ -9,7 +9,7 @@ import typer
 
 from eom.analysis.frequency import frequency_response
 from eom.analysis.gains import steady_gains
-from eom.analysis.grid import frequency_grid, time_grid
+from eom.analysis.grid import frequency_grid, nested_times, time_grid
 from eom.analysis.ride import road_response
 from eom.analysis.time_response import TimeResponse
 from eom.analysis.transient import impulse_response, sine_response, step_response
@@ -22,7 +22,7 @@ from eom.report import responses as report
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-SAMPLES = 1001
+PER_CYCLE = 1001
 
 
 def run_response(file: Path, settings: list[str], options: Options) -> None:
@@ -65,12 +65,12 @@ def in_time(model: LinearModel, plan: Plan) -> TimeResponse:
     length = plan.duration
     if length is None:
         length = float(time_grid(model)[-1]) + (1.0 / plan.sine if plan.sine else 0.0)
-    time = np.linspace(0.0, length, SAMPLES)
-    if plan.time == "step":
-        return step_response(model, plan.source, time, amplitude=plan.amplitude)
-    if plan.time == "impulse":
-        return impulse_response(model, plan.source, time, amplitude=plan.amplitude)
-    return sine_response(model, plan.source, plan.sine, time, amplitude=plan.amplitude)
+    if plan.sine:
+        cycle = np.linspace(0.0, min(1.0 / plan.sine, length), PER_CYCLE)
+        time = np.union1d(cycle, cycle[-1] + nested_times(model, length - cycle[-1])) if cycle[-1] < length else cycle
+        return sine_response(model, plan.source, plan.sine, time, amplitude=plan.amplitude)
+    respond = step_response if plan.time == "step" else impulse_response
+    return respond(model, plan.source, nested_times(model, length), amplitude=plan.amplitude)
 
 
 def write(stem: Path, columns: Sequence[tuple[str, np.ndarray]], figure: "Figure") -> None:

@@ -28,14 +28,19 @@ def locus_table(locus: RootLocus) -> str:
         lines.append(
             (f"{value:g}", STABLE[int(sides(modes)[worst])], root(shown), blank(damping, bool(np.isfinite(damping))))
         )
-    return table((f"{locus.parameter} [{locus.unit or '-'}]", "stable", "rightmost root [1/s]", "damping ratio"), lines)
+    return table((label(locus), "stable", "rightmost root [1/s]", "damping ratio"), lines)
+
+
+def label(locus: RootLocus) -> str:
+    """The parameter with its unit, alone where the values are in SI units."""
+    return f"{locus.parameter} [{locus.unit}]" if locus.unit else locus.parameter
 
 
 def critical_table(locus: RootLocus, found: Sequence[CriticalValue]) -> str:
     """The critical values, where branches could not be told apart, and what these values do not explain."""
     between = f"between {min(locus.values):g} and {max(locus.values):g}"
     if found:
-        header = (f"critical {locus.parameter} [{locus.unit or '-'}]", "kind", "frequency [Hz]", "becomes", "bodies")
+        header = (f"critical {label(locus)}", "kind", "frequency [Hz]", "becomes", "bodies")
         lines = [
             (
                 f"{item.value:.7g}",
@@ -64,7 +69,7 @@ def write_locus(path: Path, locus: RootLocus) -> None:
     header = ["real [1/s]", "imaginary [1/s]", "frequency [Hz]", "damping ratio", "wavelength [m]"]
     with path.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
-        writer.writerow([f"{locus.parameter} [{locus.unit}]", "branch", *header])
+        writer.writerow([label(locus), "branch", *header])
         for value, modes, order in zip(locus.values.tolist(), locus.modes, locus.order, strict=True):
             roots = modes.eigenvalues[order]
             columns = [roots.real, roots.imag]

@@ -40,7 +40,11 @@ def heading(model: LinearModel, source: str, stable: bool) -> str:
     """Name, speed, input, and a warning where the vehicle does not settle."""
     speed = f" at {model.speed * 3.6:.5g} km/h" if model.speed else ""
     unit = model.input_units[model.inputs.index(source)]
-    warning = "" if stable else "\nunstable: the vehicle does not settle, gains and frequency responses are formal"
+    warning = (
+        ""
+        if stable
+        else "\nunstable or undamped: the vehicle does not settle, gains and frequency responses are formal"
+    )
     return f"{model.name}{speed}: response to {source} [{unit or '-'}]{warning}"
 
 
@@ -88,7 +92,7 @@ def time_table(response: TimeResponse, outputs: Sequence[str]) -> str:
             lines.append((name, "-", shown(ratio), "-", "-"))
         else:
             lines.append((name, unit, shown(values[best]), shown(response.time[best]), shown(values[-1])))
-    note = "" if response.stable else " (unstable)"
+    note = "" if response.stable else " (does not settle)"
     header = ("output", "unit", f"largest{note}", "at [s]", f"at {response.time[-1]:.5g} s{note}")
     return "\n".join([response.what, table(header, lines, 2), *delta_lines(response, outputs)])
 

@@ -131,12 +131,15 @@ def test_frequencies_that_are_none_are_refused(frequency: list[float]) -> None:
         frequency_response(model, "road", None, frequency)
 
 
-def test_a_pole_on_the_imaginary_axis_has_no_response() -> None:
-    A = np.array([[0.0, 1.0], [-((2.0 * np.pi) ** 2), 0.0]])
-    model = model_of(A, np.array([[0.0], [1.0]]), np.array([[1.0, 0.0]]))
-    assert not frequency_response(model, "u0", None, [0.5]).stable
-    with pytest.raises(eom.AnalysisError, match="an undamped root makes the response infinite"):
-        frequency_response(model, "u0", None, [1.0])
+def test_at_a_pole_on_the_imaginary_axis_the_response_is_infinite_where_it_is_seen() -> None:
+    A = np.array([[0.0, 1.0, 0.0], [-((2.0 * np.pi) ** 2), 0.0, 0.0], [0.0, 0.0, -1.0]])
+    model = model_of(A, np.array([[0.0], [1.0], [1.0]]), np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]))
+    found = frequency_response(model, "u0", None, [0.5, 1.0, 2.0])
+    assert not found.stable
+    assert np.isinf(found.magnitude[1, 0])
+    # beside the pole, a lag of 1 s
+    assert found.magnitude[:, 1] == pytest.approx(1.0 / np.abs(2j * np.pi * found.frequency + 1.0), rel=1e-8)
+    assert np.all(np.isfinite(found.magnitude[[0, 2]]))
 
 
 def test_the_peak_at_an_undamped_root_is_infinite() -> None:

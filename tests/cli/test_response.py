@@ -109,7 +109,7 @@ def test_gains_of_an_unstable_vehicle_are_called_formal(
 ) -> None:
     assert run(monkeypatch, "response", FOLDER / "pendulum_cart.yaml", "--output", "angle") == 0
     out = capsys.readouterr().out
-    assert "unstable: the vehicle does not settle, gains and frequency responses are formal" in out
+    assert "unstable or undamped: the vehicle does not settle, gains and frequency responses are formal" in out
     assert "steady gain (formal)" in out
     assert "\nangle (formal)\n" in out
 
@@ -176,3 +176,18 @@ def test_a_vehicle_without_inputs_says_so(
     file.write_text("name: Still\nbodies:\n  block: {mass: 1 kg, at: [0, 0, 0], inertia: {xx: 1, yy: 1, zz: 1}}\n")
     assert run(monkeypatch, "response", file) == 2
     assert "Still: has no inputs" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("kind", ["sine:0.4Hz", "sine:200Hz", "impulse"])
+def test_the_largest_value_does_not_depend_on_how_long_is_looked(
+    kind: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    largest = []
+    for duration in ("4s", "3000s"):
+        options = ("--output", "axle_1.ay", "--time", kind, "--duration", duration)
+        assert run(monkeypatch, "response", FOLDER / "b_train_yaw_roll.yaml", *options) == 0
+        # the table in time is the last one
+        line = [row for row in capsys.readouterr().out.splitlines() if row.startswith("axle_1.ay")][-1]
+        largest.append(float(line.split()[2]))
+    # between two samples of an oscillation the largest value is missed by less
+    assert largest[1] == pytest.approx(largest[0], rel=2e-3)
