@@ -195,7 +195,7 @@ def assemble(vehicle: Vehicle) -> Assembly: ...
 def assemble(vehicle: Vehicle, *, symbols: Sequence[str] | str) -> "SymbolicAssembly": ...
 
 
-def assemble(vehicle: Vehicle, *, symbols: Sequence[str] | str = ()) -> "Assembly | SymbolicAssembly":
+def assemble(vehicle: Vehicle, *, symbols: Sequence[str] | str | None = None) -> "Assembly | SymbolicAssembly":
     """Assemble a vehicle's matrices about its trim, as numbers or in symbols.
 
     Parameters
@@ -215,7 +215,7 @@ def assemble(vehicle: Vehicle, *, symbols: Sequence[str] | str = ()) -> "Assembl
     SingularError
         If nothing determines a motion.
     """
-    if symbols:
+    if symbols is not None:
         from eom.model.symbolic import assemble_symbols  # noqa: PLC0415  sympy is slow to import
 
         return assemble_symbols(vehicle, symbols)

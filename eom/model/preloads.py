@@ -79,10 +79,11 @@ class SymbolicBalance:
         """The equilibrium with symbols for its loads; arguments as of `eom.assembly.statics.equilibrium`."""
         items, H = elastic
         stiffness = block_diagonal([item.stiffness for item in items], algebra)
-        carries = carrying_rows(items)
-        if not np.any(self.significant(self.solved.tensions[carries])):
+        carries, given, free = carrying_rows(items), given_tensions(items), constraints[2].T
+        if not np.any(canonical(free.T @ (loads[0] + H.T @ given)) != 0):
+            # no load reaches the springs, whatever the values
             carries = []
-        unsolved = Unsolved(loads[0], *constraints, H, given_tensions(items), carries, stiffness)
+        unsolved = Unsolved(loads[0], *constraints, H, given, carries, stiffness)
         separate = all(np.array_equal(item.stiffness, np.diag(np.diag(item.stiffness))) for item in items)
         told_by_statics = (self.solved.determinate and separate) or not carries
         explicit = told_by_statics and not np.any(self.solved.indefinite)
@@ -135,8 +136,7 @@ class SymbolicBalance:
 
     def significant(self, loads: Array) -> NDArray[np.bool_]:
         """Which loads are not zero at the trim."""
-        largest = np.max(np.abs(np.concatenate([self.solved.reactions, self.solved.tensions])), initial=0.0)
-        return np.asarray(np.abs(loads) > NEGLIGIBLE * largest)
+        return significant(self.solved, loads)
 
     def unknown(self, names: Sequence[str], numbers: Array, chosen: NDArray[np.bool_], kind: str = "preload") -> Array:
         """Symbols of the chosen ones of some quantities, zeros for the others."""
@@ -150,6 +150,12 @@ class SymbolicBalance:
         """The symbol of a load or a settling."""
         self.symbols[name] = Traced(value, sympy.Symbol(name))
         return self.symbols[name]
+
+
+def significant(solved: Statics, loads: Array) -> NDArray[np.bool_]:
+    """Which loads are not zero beside the largest one of an equilibrium."""
+    largest = np.max(np.abs(np.concatenate([solved.reactions, solved.tensions])), initial=0.0)
+    return np.asarray(np.abs(loads) > NEGLIGIBLE * largest)
 
 
 def given_tensions(items: Sequence[Strained]) -> Array:

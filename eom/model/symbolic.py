@@ -7,12 +7,13 @@ from typing import cast
 import numpy as np
 import sympy
 
+from eom.assembly.elastic import elastic_items
 from eom.assembly.matrices import Matrices, assemble_matrices
 from eom.assembly.vectors import Array
-from eom.errors import DescriptionError, Mistake
+from eom.errors import DescriptionError, EomError, Mistake
 from eom.model.assembly import Assembly, assemble, descriptor_of
 from eom.model.field import EXACT, rational_field
-from eom.model.preloads import SymbolicBalance
+from eom.model.preloads import SymbolicBalance, significant
 from eom.model.traced import Traced, exact, function
 from eom.vehicle.elements import System
 from eom.vehicle.expression import FUNCTIONS, Number, compute
@@ -83,11 +84,35 @@ class SymbolicAssembly:
     def numbers(self, matrix: sympy.Matrix, assembly: Assembly | None = None) -> Array:
         """The entries of a matrix of these symbols as floats, parameters and preloads as at the trim.
 
-        Or as in another *assembly* of the same vehicle with other values of its parameters.
+        Or as in another *assembly* of the same vehicle with other values of its parameters. Raises `EomError` if that
+        one has other independent coordinates, or carries a load that was taken for zero here.
         """
+        if assembly is not None:
+            self.check_same_structure(assembly)
         point = self.point(assembly or self.numeric)
         entries = [float(entry.xreplace(point).evalf(20)) for entry in matrix]
         return np.array(entries).reshape(matrix.shape)
+
+    def check_same_structure(self, other: Assembly) -> None:
+        """Raise `EomError` unless these matrices are those of another assembly too."""
+        if other.pivots != self.numeric.pivots:
+            message = "with these values other coordinates are independent: assemble its symbols anew"
+            raise EomError(f"{other.vehicle.file}: {message}")
+        statics = other.matrices.statics
+        given = [item.preload is not None for item in elastic_items(other.system) for _ in item.rows]
+        names = (
+            *other.constraint_rows,
+            *(name for name, known in zip(other.elastic_rows, given, strict=True) if not known),
+        )
+        loads = np.concatenate([statics.reactions, statics.tensions[~np.array(given, dtype=bool)]])
+        lost = [
+            name
+            for name, carries in zip(names, significant(statics, loads), strict=True)
+            if carries and f"{name}.preload" not in self.preloads
+        ]
+        if lost:
+            message = f"{', '.join(lost[:3])} carry a load with these values, but none at the trim of the symbols"
+            raise EomError(f"{other.vehicle.file}: {message}: assemble them at these values")
 
     def point(self, assembly: Assembly) -> dict[sympy.Symbol, sympy.Rational]:
         """What the symbols stand for in an assembly of the same vehicle."""
@@ -147,7 +172,7 @@ def chosen_symbols(vehicle: Vehicle, names: Sequence[str] | str) -> dict[str, sy
     if names == "all":
         plain = [name for name, live in registry.parameters.items() if isinstance(live.default, Number)]
         names = [name for name in plain if vehicle.values[name] != 0.0]
-    names = [names] if isinstance(names, str) else names
+    names = [names] if isinstance(names, str) else [str(name) for name in names]
     unknown = [name for name in names if name not in registry.parameters]
     if unknown:
         sentences = [f"no symbol for '{name}': {why_unknown(name, registry)}" for name in unknown]

@@ -70,7 +70,8 @@ class Traced:
         return self if self.value >= 0.0 else -self
 
     def __bool__(self) -> bool:
-        return self.value != 0.0
+        # an expression of exactly zero is a float: this one is something, also where its value is zero
+        return True
 
     def __eq__(self, other: object) -> bool:
         return self.value == value_of(other)

@@ -78,9 +78,10 @@ def text(words: str) -> str:
 
 
 def symbol_name(symbol: sympy.Symbol) -> str:
-    """A short name as sympy prints it, with its index; a name of an object's quantity upright, as it is."""
-    if re.fullmatch(r"[A-Za-z]{1,2}(_?\w{1,2})?", symbol.name):
-        return str(sympy.latex(symbol))
+    """A short name with its index; any other, such as that of an object's quantity, upright as it is."""
+    short = re.fullmatch(r"([A-Za-z]{1,2})(?:_([A-Za-z0-9]{1,2}))?", symbol.name)
+    if short is not None:
+        return short[1] if short[2] is None else f"{short[1]}_{{{short[2]}}}"
     return rf"\mathrm{{{text(symbol.name)}}}"
 
 

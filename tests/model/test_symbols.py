@@ -208,3 +208,52 @@ connectors:
 def test_membranes_are_refused_by_name() -> None:
     with pytest.raises(eom.DescriptionError, match=r"sheet.*has no symbolic form"):
         eom.assemble(eom.loads(MEMBRANE), symbols="all")
+
+
+BALANCED = """
+name: box on a rail and a spring
+gravity: 9.8
+parameters: {m: 5 kg, F: 49 N, c: 0, b: 0, k: 200}
+bodies: {box: {mass: m, at: [0.2, 0, 0], inertia: {xx: 1, yy: 1, zz: 1}}}
+connectors:
+  rail: {type: rigid_point, between: [box, ground], at: [0, 0, 0], forces: 2, moments: 2, axis: [0, 0, 1]}
+  spring: {type: spring, between: [box, ground], ends: [[0, 0, 0], [0, 0, -1]], stiffness: k, damping: c, inertance: b}
+  twist: {type: flex_point, between: [box, ground], at: [0, 0, 0], moments: 1, axis: [0, 0, 1],
+          angular_stiffness: 10}
+loads: {lift: {body: box, at: [0.2, 0, 0], force: [0, 0, F]}}
+"""
+
+
+@pytest.mark.parametrize("changed", [{"F": 30.0}, {"c": 3.0}, {"b": 2.0}, {"F": 10.0, "c": 1.0, "b": 1.0}])
+def test_what_is_zero_at_the_trim_by_its_values_alone_is_kept(changed: dict[str, str | float]) -> None:
+    box = eom.loads(BALANCED)
+    own = eom.assemble(box, symbols=("m", "F", "c", "b", "k", "gravity"))
+    assert "spring.preload" in own.preloads
+    assert_matrices(own, eom.assemble(box.with_values(**changed)), (*FULL, *REDUCED), 1e-12)
+
+
+ZEROS = ("b_train_yaw_plane", "car_trailer", "full_car", "truck_full_trailer")
+
+
+@pytest.mark.parametrize("name", ZEROS)
+def test_zero_places_asked_for_by_name_hold_at_other_values(name: str) -> None:
+    car = vehicle(name)
+    zeros = [key for key, value in car.values.items() if value == 0.0 and key.endswith("frame.at.y")]
+    zeros = zeros or [key for key, value in car.values.items() if value == 0.0 and ".at." in key][:1]
+    own = eom.assemble(car, symbols=zeros[:1])
+    other = eom.assemble(car.with_values(**{zeros[0]: 0.1}))
+    try:
+        assert_matrices(own, other, FULL, 1e-11)
+    except eom.EomError as error:
+        assert "carry a load with these values" in str(error)  # noqa: PT017  a refusal is as right as the matrices
+
+
+def test_other_values_that_load_what_carried_nothing_are_refused() -> None:
+    car = vehicle("full_car", gravity=0.0)
+    own = eom.assemble(car, symbols=("gravity",))
+    with pytest.raises(eom.EomError, match="carry a load with these values, but none at the trim of the symbols"):
+        own.numbers(own.K, eom.assemble(car.with_values(gravity=9.8)))
+
+
+def test_no_symbols_are_symbolic_matrices_too() -> None:
+    assert not eom.assemble(vehicle("quarter_car"), symbols=()).A.free_symbols

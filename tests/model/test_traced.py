@@ -56,7 +56,8 @@ def test_comparisons_go_by_the_value() -> None:
     assert X <= 1.5
     assert X == 1.5
     assert abs(Y) == 0.25
-    assert not traced(0.0, sympy.Symbol("z"))
+    assert traced(0.0, sympy.Symbol("z"))
+    assert not traced(0.0, sympy.S.Zero)
     assert np.argmax(np.array([Y, X])) == 1
 
 

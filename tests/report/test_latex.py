@@ -72,8 +72,13 @@ def test_every_parameter_and_preload_is_told() -> None:
 
 def test_short_names_have_an_index_and_long_ones_stand_upright() -> None:
     assert symbol_name(sympy.Symbol("h_r")) == "h_{r}"
-    assert symbol_name(sympy.Symbol("C1")) == "C_{1}"
+    assert symbol_name(sympy.Symbol("C1")) == r"\mathrm{C1}"
     assert symbol_name(sympy.Symbol("axle_1.x")) == r"\mathrm{axle\_1.x}"
+
+
+def test_different_parameters_print_differently() -> None:
+    names = ("C1", "C_1", "x", "xdot", "xhat", "xbm", "a__b", "ab", "a_b", "pi1", "x_", "axle_1.x", "axle_1_x")
+    assert len({symbol_name(sympy.Symbol(name)) for name in names}) == len(names)
 
 
 def test_text_of_a_file_cannot_be_a_command() -> None:
