@@ -58,8 +58,11 @@ def brake_moments(p: BTrainBraked, pressures: Array) -> Array:
 def brake_pressures(p: BTrainBraked, M_z_2: float, M_z_3: float) -> Array:
     """Pressures (6, 2) that give the yaw moments [N m], alike on the three wheels of one side: thesis (3.37).
 
-    A positive moment, clockwise from above, takes the right side, a negative one the left.
+    A positive moment, clockwise from above, takes the right side, a negative one the left. Raises `EomError` for
+    moments that are not finite.
     """
+    if not np.all(np.isfinite([M_z_2, M_z_3])):
+        raise EomError(f"yaw moments: expected finite numbers of N m, got {M_z_2:g} and {M_z_3:g}")
     P = np.zeros((6, 2))
     for group, moment, track in ((slice(0, 3), M_z_2, p.d2), (slice(3, 6), M_z_3, p.d3)):
         P[group, int(moment > 0.0)] = 2.0 * p.r_w * abs(moment) / (3.0 * track * p.K_b)

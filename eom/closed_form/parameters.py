@@ -23,6 +23,10 @@ class Parameters:
     """Names that must be positive, properties included."""
 
     def __post_init__(self) -> None:
+        odd = [field.name for field in fields(self) if isinstance(getattr(self, field.name), str | complex | None)]
+        if odd:
+            got = ", ".join(f"{name}: {getattr(self, name)!r}" for name in odd)
+            raise EomError(f"{type(self).__name__}: expected real numbers or symbols, got {got}")
         bad = [field.name for field in fields(self) if not finite(getattr(self, field.name))]
         mistakes = [f"{name}: expected a finite number, got {getattr(self, name)}" for name in bad]
         values = {name: getattr(self, name) for name in self.POSITIVE if name not in bad}
@@ -47,5 +51,7 @@ def finite(value: Any) -> bool:
 
 def check_speed(U: float) -> None:
     """Refuse a forward speed [m/s] that is a number but not a positive, finite one."""
+    if isinstance(U, str | None):
+        raise EomError(f"speed U: expected a number of m/s or a symbol, got {U!r}")
     if is_number(U) and not (isfinite(U) and U > 0.0):
         raise EomError(f"speed U: expected a positive number of m/s, got {U:g}; slip angles have no meaning at rest")

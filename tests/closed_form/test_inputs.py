@@ -32,6 +32,15 @@ def test_every_impossible_parameter_is_named() -> None:
     ]
 
 
+def test_what_is_neither_a_real_number_nor_a_symbol_is_refused() -> None:
+    with pytest.raises(eom.EomError, match=r"expected real numbers or symbols, got m1: 'a', m2: None"):
+        BTrainYawPlane(m1="a", m2=None)  # type: ignore[arg-type]
+    with pytest.raises(eom.EomError, match="speed U: expected a number of m/s or a symbol, got '30'"):
+        b_train_yaw_plane.matrices(BTrainYawPlane(), "30")  # type: ignore[arg-type]
+    with pytest.raises(eom.EomError, match="yaw moments: expected finite numbers"):
+        brakes.brake_pressures(BTrainBraked(), float("nan"), 0.0)
+
+
 def test_a_sprung_mass_above_the_whole_one_is_refused() -> None:
     with pytest.raises(eom.EomError, match=r"BTrainYawRoll.m_u1: expected a positive number, got -742"):
         BTrainYawRoll(m_s1=9000.0)
