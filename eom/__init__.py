@@ -26,6 +26,9 @@ from eom.errors import (
 from eom.errors import (
     SingularError as SingularError,
 )
+from eom.errors import (
+    TyreError as TyreError,
+)
 
 if TYPE_CHECKING:
     from eom.analysis import KinematicSweep as KinematicSweep

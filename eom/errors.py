@@ -60,6 +60,10 @@ class AnalysisError(EomError):
     """An analysis that cannot be done as asked, or that has no result; a sentence for every mistake."""
 
 
+class TyreError(EomError):
+    """Coefficients of a tyre that cannot be, or a question that a tyre model has no answer to."""
+
+
 class MechanismError(EomError):
     """A mechanism that cannot be driven as asked; ``partial`` holds what was computed until then, if anything."""
 
