@@ -1,1 +1,13 @@
 """Tyres: slips, load and camber to forces and moments; .tir files, fitting, derivatives."""
+
+from eom.tyre.dugoff import Dugoff as Dugoff
+from eom.tyre.interface import Forces as Forces
+from eom.tyre.interface import Tyre as Tyre
+from eom.tyre.linear import Linear as Linear
+from eom.tyre.magic_formula import MagicFormula as MagicFormula
+from eom.tyre.slip import slip_of_thesis as slip_of_thesis
+from eom.tyre.slip import slips as slips
+from eom.tyre.slip import thesis_slip as thesis_slip
+from eom.tyre.slopes import Slopes as Slopes
+from eom.tyre.slopes import slopes as slopes
+from eom.tyre.stack import stack as stack

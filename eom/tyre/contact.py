@@ -1,0 +1,34 @@
+"""The ends of a tyre's range: lift-off, standstill, reversal; once continuously differentiable at each."""
+
+from typing import Any
+
+import numpy as np
+
+from eom.tyre.elementary import maximum, minimum, sin
+from eom.tyre.parameters import Values
+
+LIFT = 0.01
+"""Share of the nominal load below which contact fades; no tyre is measured there."""
+
+
+def contact(Fz: Values, nominal: Values) -> tuple[Any, Any]:
+    """Load at which to evaluate a formula, and the share of its result that acts.
+
+    Above `LIFT` of the nominal load [N] the load is Fz and the share one. Below, the load goes to half of that
+    bound, so that ratios of stiffness and friction stay defined, and the share to zero at lift-off; their product
+    stays below Fz. Both have continuous first derivatives in Fz.
+    """
+    low = LIFT * nominal
+    x = minimum(maximum(Fz / low, 0.0), 1.0)
+    square = x * x
+    return maximum(Fz, 0.5 * low * (1.0 + square)), square * (3.0 - 2.0 * x)
+
+
+def rolling_sense(v: Values, low_speed: Values) -> Any:
+    """Direction of rolling: the sign of a speed v, by a sine through zero below the low speed [both m/s]."""
+    return sin(0.5 * np.pi * minimum(maximum(v / low_speed, -1.0), 1.0))
+
+
+def rolling_speed(kappa: Values, speed: Values) -> Any:
+    """Speed of the tread omega R_e [m/s] that belongs to a longitudinal slip at a forward speed [m/s]."""
+    return speed + kappa * np.abs(speed)

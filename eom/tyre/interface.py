@@ -1,0 +1,86 @@
+"""What every tyre model takes and gives."""
+
+from collections.abc import Callable
+from typing import Any, NamedTuple, Protocol
+
+import numpy as np
+
+from eom.errors import TyreError
+from eom.tyre.parameters import Values
+
+REFERENCE_SPEED = 16.7
+"""Forward speed [m/s] where none is given: 60 km/h, the usual speed of tyre measurements."""
+
+
+ARGUMENTS = ("alpha", "kappa", "Fz", "gamma", "speed")
+
+
+class Forces(NamedTuple):
+    """Forces [N] and moments [N m] of the road on a wheel at the contact point, in the wheel's ISO axes.
+
+    x points along the wheel plane, y to the left, z up. A positive slip angle gives a negative ``Fy``, positive
+    longitudinal slip a positive ``Fx``; ``My`` brakes a rolling wheel, ``Mz`` turns its front end to the left.
+    """
+
+    Fx: Values
+    Fy: Values
+    Mx: Values
+    My: Values
+    Mz: Values
+
+
+class Tyre(Protocol):
+    """A tyre model with its coefficients."""
+
+    def forces(
+        self, alpha: Values, kappa: Values, Fz: Values, gamma: Values = 0.0, speed: Values = REFERENCE_SPEED
+    ) -> Forces:
+        """Forces and moments in steady rolling; all arguments are broadcast.
+
+        Parameters
+        ----------
+        alpha : float or array
+            Slip angle [rad]: tan(alpha) = v_y / |v_x| of the contact point, positive when it drifts to the left.
+        kappa : float or array
+            Longitudinal slip (omega R_e - v_x) / |v_x|: positive drives, -1 is a locked wheel that rolls forward.
+        Fz : float or array
+            Normal load [N]; a wheel that does not press on the road, Fz <= 0, has no forces.
+        gamma : float or array
+            Camber (inclination) angle [rad], a turn about x: positive leans the top to the right.
+        speed : float or array
+            Forward speed v_x [m/s], negative in reverse.
+
+        Returns
+        -------
+        Forces
+            Of the shape of the arguments together.
+        """
+
+
+Formula = Callable[[Any, Any, Any, Any, Any, Any], tuple[Any, ...]]
+"""Coefficients, alpha, kappa, Fz, gamma, speed to Fx, Fy, Mx, My, Mz."""
+
+
+def evaluate(formula: Formula, p: Any, *arguments: Values) -> Forces:
+    """The formula at arguments (alpha, kappa, Fz, gamma, speed); raises `TyreError` for what is no finite number."""
+    arrays = [as_numbers(name, value) for name, value in zip(ARGUMENTS, arguments, strict=True)]
+    try:
+        shape = np.broadcast(*arrays).shape
+    except ValueError:
+        shapes = ", ".join(f"{name} {array.shape}" for name, array in zip(ARGUMENTS, arrays, strict=True))
+        raise TyreError(f"arguments whose shapes do not fit together: {shapes}") from None
+    found = (np.asarray(value) for value in formula(p, *arrays))
+    return Forces(*(value if value.shape == shape else np.broadcast_to(value, shape) for value in found))
+
+
+def as_numbers(name: str, value: Values) -> "np.ndarray[Any, Any]":
+    """An argument as an array of finite numbers, which may be complex."""
+    array = np.asarray(value)
+    if array.dtype.kind not in "fc":
+        try:
+            array = array.astype(float)
+        except (TypeError, ValueError):
+            raise TyreError(f"{name}: expected a number or an array of numbers") from None
+    if not np.isfinite(array).all():
+        raise TyreError(f"{name}: expected finite numbers")
+    return array
