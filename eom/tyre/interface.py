@@ -70,7 +70,7 @@ def evaluate(formula: Formula, p: Any, *arguments: Values) -> Forces:
         shapes = ", ".join(f"{name} {array.shape}" for name, array in zip(ARGUMENTS, arrays, strict=True))
         raise TyreError(f"arguments whose shapes do not fit together: {shapes}") from None
     found = (np.asarray(value) for value in formula(p, *arrays))
-    return Forces(*(value if value.shape == shape else np.broadcast_to(value, shape) for value in found))
+    return Forces(*(value[()] if value.shape == shape else np.broadcast_to(value, shape) for value in found))
 
 
 def as_numbers(name: str, value: Values) -> "np.ndarray[Any, Any]":
