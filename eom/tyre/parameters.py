@@ -21,12 +21,21 @@ def coefficient(
     above: float = -math.inf,
     at_least: float = -math.inf,
     at_most: float = math.inf,
+    non_zero: bool = False,
 ) -> Any:
     """A dataclass field for a finite number, in SI units; without a *default* it has to be given.
 
-    *above* is a bound that the number must exceed, *at_least* and *at_most* are bounds that it may reach.
+    *above* is a bound that the number must exceed, *at_least* and *at_most* are bounds that it may reach; one that
+    the equations divide by is *non_zero*.
     """
-    metadata = {"meaning": meaning, "unit": unit, "above": above, "at_least": at_least, "at_most": at_most}
+    metadata = {
+        "meaning": meaning,
+        "unit": unit,
+        "above": above,
+        "at_least": at_least,
+        "at_most": at_most,
+        "non_zero": non_zero,
+    }
     if default is None:
         return dataclasses.field(metadata=metadata)
     return dataclasses.field(default=default, metadata=metadata)
@@ -63,6 +72,8 @@ def problem_of(item: "dataclasses.Field[Any]", value: Any) -> str:
         problem = f"expected at least {limits['at_least']:g}"
     elif np.any(numbers > limits["at_most"]):
         problem = f"expected at most {limits['at_most']:g}"
+    elif limits["non_zero"] and np.any(numbers == 0.0):
+        problem = "expected a number other than 0"
     else:
         return ""
     unit = f" {limits['unit']}" if limits["unit"] else ""

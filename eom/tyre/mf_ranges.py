@@ -1,0 +1,71 @@
+"""Ranges within which a Magic Formula tyre was measured; infinite where the file says none."""
+
+import dataclasses
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from eom.tyre.parameters import Values
+
+
+def limit(meaning: str, unit: str = "", *, default: float) -> Any:
+    """A dataclass field for an end of a range, in SI units; an infinite one is no limit."""
+    return dataclasses.field(default=default, metadata={"meaning": meaning, "limit_unit": unit})
+
+
+@dataclass(frozen=True, kw_only=True)
+class LongSlipRange:
+    """Section [LONG_SLIP_RANGE]."""
+
+    KPUMIN: Values = limit("least longitudinal slip", default=-math.inf)
+    KPUMAX: Values = limit("greatest longitudinal slip", default=math.inf)
+
+
+@dataclass(frozen=True, kw_only=True)
+class SlipAngleRange:
+    """Section [SLIP_ANGLE_RANGE]."""
+
+    ALPMIN: Values = limit("least slip angle", "rad", default=-math.inf)
+    ALPMAX: Values = limit("greatest slip angle", "rad", default=math.inf)
+
+
+@dataclass(frozen=True, kw_only=True)
+class InclinationAngleRange:
+    """Section [INCLINATION_ANGLE_RANGE]."""
+
+    CAMMIN: Values = limit("least camber", "rad", default=-math.inf)
+    CAMMAX: Values = limit("greatest camber", "rad", default=math.inf)
+
+
+@dataclass(frozen=True, kw_only=True)
+class VerticalForceRange:
+    """Section [VERTICAL_FORCE_RANGE]."""
+
+    FZMIN: Values = limit("least load", "N", default=0.0)
+    FZMAX: Values = limit("greatest load", "N", default=math.inf)
+
+
+@dataclass(frozen=True, kw_only=True)
+class InflationPressureRange:
+    """Section [INFLATION_PRESSURE_RANGE]."""
+
+    PRESMIN: Values = limit("least inflation pressure", "Pa", default=0.0)
+    PRESMAX: Values = limit("greatest inflation pressure", "Pa", default=math.inf)
+
+
+def limits(owner: Any) -> Iterator["dataclasses.Field[Any]"]:
+    """The fields made by `limit` of a parameter object or its class, in order."""
+    return (item for item in dataclasses.fields(owner) if "limit_unit" in item.metadata)
+
+
+def range_problems(tyre: Any) -> Iterator[tuple[str, str]]:
+    """For every range that no value is in: the name of its upper end, and the sentence."""
+    for item in limits(tyre):
+        if item.name.endswith("MAX"):
+            low, high = item.name.removesuffix("MAX") + "MIN", item.name
+            ends = getattr(tyre, low), getattr(tyre, high)
+            if not np.all(np.less(*ends)):
+                yield high, f"expected more than {low} = {ends[0]}, got {ends[1]}"
