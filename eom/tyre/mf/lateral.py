@@ -56,9 +56,7 @@ def pure_lateral_61(p: Any, s: State, gamma: Values, dpi: Values) -> Lateral:
 
 def cornering_stiffness_52(p: Any, s: State, gamma: Values) -> Any:
     """K_y [N/rad] of version 5.2."""
-    return (
-        p.PKY1 * s.Fz0 * (1.0 - p.PKY3 * magnitude(gamma)) * sin(2.0 * arctan(s.load / (p.PKY2 * s.Fz0))) * p.LKY
-    )
+    return p.PKY1 * s.Fz0 * (1.0 - p.PKY3 * magnitude(gamma)) * sin(2.0 * arctan(s.load / (p.PKY2 * s.Fz0))) * p.LKY
 
 
 def pure_lateral_52(p: Any, s: State, gamma: Values) -> Lateral:
@@ -93,17 +91,17 @@ def pure_lateral(
     return Lateral(D * sine(BC / C * slip, C, E) + S_V, mu, K, S_H, S_V, BC)
 
 
-def lateral_weight(p: Any, s: State, slope: Values) -> Any:
-    """G_yk, E59; *slope* is its stiffness factor B at the slip angle RBY3."""
+def lateral_weight(p: Any, s: State, kappa: Values, slope: Values) -> Any:
+    """G_yk, E59, at a longitudinal slip; *slope* is its stiffness factor B at the slip angle RBY3."""
     alpha = p.RBY2 * (s.alpha - p.RBY3)
     B = slope / sqrt(1.0 + alpha * alpha) * p.LYKA
     E = p.REY1 + p.REY2 * s.dfz
     S_H = (p.RHY1 + p.RHY2 * s.dfz) * s.reverse
-    return cosine(B * (s.kappa + S_H), p.RCY1, E) / cosine(B * S_H, p.RCY1, E)
+    return cosine(B * (kappa + S_H), p.RCY1, E) / cosine(B * S_H, p.RCY1, E)
 
 
-def slip_thrust(p: Any, s: State, mu: Values, gamma: Values) -> Any:
-    """S_Vyk [N], the side force that longitudinal slip brings, E66."""
+def slip_thrust(p: Any, s: State, kappa: Values, mu: Values) -> Any:
+    """S_Vyk [N], the side force that longitudinal slip brings, E66; *mu* is the lateral friction."""
     alpha = p.RVY4 * s.alpha
-    D = mu * s.load * (p.RVY1 + p.RVY2 * s.dfz + p.RVY3 * gamma) / sqrt(1.0 + alpha * alpha)
-    return D * sin(p.RVY5 * arctan(p.RVY6 * s.kappa)) * p.LVYKA * s.reverse
+    D = mu * s.load * (p.RVY1 + p.RVY2 * s.dfz + p.RVY3 * s.gamma) / sqrt(1.0 + alpha * alpha)
+    return D * sin(p.RVY5 * arctan(p.RVY6 * kappa)) * p.LVYKA * s.reverse

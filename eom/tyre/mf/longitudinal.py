@@ -27,9 +27,9 @@ def pure_longitudinal(p: Any, s: State, camber: Values, K: Values, pressure: Val
     return D * sine(K * slip / (C * D), C, E) + S_V
 
 
-def longitudinal_weight(p: Any, s: State, slope: Values) -> Any:
-    """G_xa, E51; *slope* is its stiffness factor B at zero longitudinal slip."""
+def longitudinal_weight(p: Any, s: State, alpha: Values, slope: Values) -> Any:
+    """G_xa, E51, at a slip angle; *slope* is its stiffness factor B at zero longitudinal slip."""
     kappa = p.RBX2 * s.kappa
     B = slope / sqrt(1.0 + kappa * kappa) * p.LXAL
     E = p.REX1 + p.REX2 * s.dfz
-    return cosine(B * (s.alpha + p.RHX1), p.RCX1, E) / cosine(B * p.RHX1, p.RCX1, E)
+    return cosine(B * (alpha + p.RHX1), p.RCX1, E) / cosine(B * p.RHX1, p.RCX1, E)

@@ -8,21 +8,24 @@ from eom.tyre.mf.state import State
 from eom.tyre.parameters import Values
 
 
-def overturning_61(p: Any, s: State, Fy: Values, dpi: Values, camber: Values) -> Any:
-    """M_x [N m], E69 with the three terms of Besselink, Schmeitz and Pacejka's draft, (49): QSX12 to QSX14."""
-    gamma, lean = s.camber, magnitude(s.camber)
-    force, load = Fy / p.FNOMIN, s.load / p.FNOMIN
+def overturning_61(p: Any, s: State, Fy: Values, dpi: Values) -> Any:
+    """M_x [N m], E69."""
+    gamma, force, load = s.camber, Fy / p.FNOMIN, s.load / p.FNOMIN
     squared = p.QSX6 * load * (p.QSX6 * load)
     bracket = (
         p.QSX1 * p.LVMX
         - p.QSX2 * gamma * (1.0 + p.PPMX1 * dpi)
-        - camber * p.QSX12 * gamma * lean
         + p.QSX3 * force
         + p.QSX4 * cos(p.QSX5 * arctan(squared)) * sin(p.QSX7 * gamma + p.QSX8 * arctan(p.QSX9 * force))
         + p.QSX10 * arctan(p.QSX11 * load) * gamma
     )
-    arm = camber * (p.QSX13 + p.QSX14 * lean)
-    return p.UNLOADED_RADIUS * p.LMX * (s.load * bracket + Fy * arm)
+    return p.UNLOADED_RADIUS * p.LMX * s.load * bracket
+
+
+def overturning_draft(p: Any, s: State, Fy: Values) -> Any:
+    """The terms [N m] that (49) of the draft of Besselink, Schmeitz and Pacejka's paper has beside E69."""
+    lean = magnitude(s.camber)
+    return p.UNLOADED_RADIUS * p.LMX * (Fy * (p.QSX13 + p.QSX14 * lean) - s.load * p.QSX12 * s.camber * lean)
 
 
 def overturning_52(p: Any, s: State, Fy: Values) -> Any:
@@ -31,7 +34,7 @@ def overturning_52(p: Any, s: State, Fy: Values) -> Any:
     return p.UNLOADED_RADIUS * p.LMX * s.load * bracket
 
 
-def resistance(p: Any, s: State, Fx: Values, speed: Values) -> Any:
+def resistance(p: Any, Fx: Values, speed: Values) -> Any:
     """Rolling resistance moment over radius and load, the part that both versions have."""
     v = magnitude(speed) / p.LONGVL
     return p.QSY1 + p.QSY2 * Fx / p.FNOMIN + p.QSY3 * v + p.QSY4 * (v * v) * (v * v)
@@ -42,12 +45,12 @@ def rolling_61(p: Any, s: State, Fx: Values, speed: Values, unit: Values) -> Any
     load = s.load / p.FNOMIN
     lean = (p.QSY5 + p.QSY6 * load) * s.camber * s.camber
     pressure = power(load, p.QSY7) * power(p.INFLPRES / p.NOMPRES, p.QSY8)
-    return -p.UNLOADED_RADIUS * unit * p.LMY * (resistance(p, s, Fx, speed) + lean) * pressure * direction(p, s, speed)
+    return -p.UNLOADED_RADIUS * unit * p.LMY * (resistance(p, Fx, speed) + lean) * pressure * direction(p, s, speed)
 
 
 def rolling_52(p: Any, s: State, Fx: Values, speed: Values) -> Any:
     """M_y [N m] of version 5.2."""
-    return -p.UNLOADED_RADIUS * s.load * p.LMY * resistance(p, s, Fx, speed) * direction(p, s, speed)
+    return -p.UNLOADED_RADIUS * s.load * p.LMY * resistance(p, Fx, speed) * direction(p, s, speed)
 
 
 def direction(p: Any, s: State, speed: Values) -> Any:
@@ -56,6 +59,6 @@ def direction(p: Any, s: State, speed: Values) -> Any:
 
 
 def longitudinal_arm(p: Any, s: State, Fy: Values, gamma: Values, nominal: Values) -> Any:
-    """s [m], E76: the lever of F_x about the vertical axis; *nominal* is the load [N] that divides F_y."""
+    """S [m], E76: the lever of F_x about the vertical axis; *nominal* is the load [N] that divides F_y."""
     arm = p.SSZ1 + p.SSZ2 * Fy / nominal + (p.SSZ3 + p.SSZ4 * s.dfz) * gamma
     return p.UNLOADED_RADIUS * arm * p.LS
