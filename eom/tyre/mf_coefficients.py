@@ -4,7 +4,11 @@ import dataclasses
 from dataclasses import dataclass
 from typing import Literal, Self, get_args
 
+import numpy as np
+
 from eom.errors import TyreError
+from eom.tyre.interface import REFERENCE_SPEED, Forces, evaluate
+from eom.tyre.mf.formulas import book_61, tool_52, tool_61
 from eom.tyre.mf_conditions import (
     AS_NOMINAL,
     Contact52,
@@ -26,7 +30,7 @@ from eom.tyre.mf_ranges import (
     range_problems,
 )
 from eom.tyre.mf_scaling import Scaling52, Scaling61
-from eom.tyre.parameters import check_bounds
+from eom.tyre.parameters import Values, check_bounds
 
 Form = Literal["tool", "book"]
 Side = Literal["left", "right"]
@@ -63,6 +67,26 @@ class Mounting(Model, Dimension, LongSlipRange, SlipAngleRange, InclinationAngle
         ]
         if wrong:
             raise TyreError("\n".join(wrong))
+
+    @property
+    def hand(self) -> Values:
+        """One, or -1 for the mirrored tyre, whose lateral channels change sign."""
+        return 1.0 - 2.0 * np.asarray(self.mirror, dtype=float)
+
+    @property
+    def meet(self) -> float:
+        """Whether both slips act on both forces."""
+        return float(self.use == "combined")
+
+    @property
+    def drives(self) -> float:
+        """Whether Fx and My act."""
+        return float(self.use != "lateral")
+
+    @property
+    def corners(self) -> float:
+        """Whether Fy, Mx and Mz act."""
+        return float(self.use != "longitudinal")
 
     def on(self, side: Side) -> Self:
         """The tyre mounted on a side: mirrored if its coefficients are for the other one, else as they are.
@@ -119,6 +143,12 @@ class MagicFormula61(
             raise TyreError(f"MagicFormula61: form = {self.form!r}: expected one of 'tool', 'book'")
         super().__post_init__()
 
+    def forces(
+        self, alpha: Values, kappa: Values, Fz: Values, gamma: Values = 0.0, speed: Values = REFERENCE_SPEED
+    ) -> Forces:
+        """Forces and moments, see `eom.tyre.Tyre.forces`."""
+        return evaluate(tool_61 if self.form == "tool" else book_61, self, alpha, kappa, Fz, gamma, speed)
+
 
 @dataclass(frozen=True, kw_only=True)
 class MagicFormula52(
@@ -134,3 +164,9 @@ class MagicFormula52(
     TyreError
         With a sentence for every coefficient that is no finite number or is out of its bounds.
     """
+
+    def forces(
+        self, alpha: Values, kappa: Values, Fz: Values, gamma: Values = 0.0, speed: Values = REFERENCE_SPEED
+    ) -> Forces:
+        """Forces and moments, see `eom.tyre.Tyre.forces`."""
+        return evaluate(tool_52, self, alpha, kappa, Fz, gamma, speed)

@@ -1,0 +1,105 @@
+"""What every equation of the Magic Formula needs of a working point."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from eom.tyre.contact import contact, rolling_sense
+from eom.tyre.elementary import cos, magnitude, sin, sqrt, tan
+from eom.tyre.parameters import Values
+
+A_MU = 10.0
+"""Digressive friction of the book, E8: shifts fall with friction more slowly than friction itself."""
+
+
+class State(NamedTuple):
+    """A working point.
+
+    Attributes
+    ----------
+    alpha, kappa, gamma : float or array
+        Slip angle, longitudinal slip and camber as they enter the curves; the book takes tan(alpha), sin(gamma).
+    camber : float or array
+        Camber angle [rad] itself.
+    load, share : float or array
+        Load [N] at which to evaluate, and share of the result, see `eom.tyre.contact.contact`.
+    Fz0, dfz : float or array
+        Nominal load [N] with its scale, and the load's relative distance from it, E1, E2a.
+    cosine : float or array
+        Cosine of the slip angle, E6: a trail at right angles to the motion gives no moment.
+    fade : float or array
+        Zero at standstill, one above VXLOW: what does not come from slip fades with it.
+    reverse : float or array
+        The same with the sign of the speed.
+    mu_x, mu_y : float or array
+        Scale of friction, E7.
+    shift_x, shift_y : float or array
+        Scale of friction in vertical shifts, E8.
+    """
+
+    alpha: Any
+    kappa: Any
+    gamma: Any
+    camber: Any
+    load: Any
+    share: Any
+    Fz0: Any
+    dfz: Any
+    cosine: Any
+    fade: Any
+    reverse: Any
+    mu_x: Any
+    mu_y: Any
+    shift_x: Any
+    shift_y: Any
+
+
+def tool_state(p: Any, alpha: Values, kappa: Values, Fz: Values, gamma: Values, speed: Values) -> State:
+    """The working point as the MF-Tyre tool takes it: angles themselves, no digressive friction."""
+    load, share = contact(Fz, p.FNOMIN)
+    Fz0 = p.LFZO * p.FNOMIN
+    sense = rolling_sense(speed, p.VXLOW)
+    return State(
+        alpha,
+        kappa,
+        gamma,
+        gamma,
+        load,
+        share,
+        Fz0,
+        (load - Fz0) / Fz0,
+        cos(alpha),
+        sense * sense,
+        sense * np.abs(sense),
+        p.LMUX,
+        p.LMUY,
+        p.LMUX,
+        p.LMUY,
+    )
+
+
+def book_state(p: Any, alpha: Values, kappa: Values, Fz: Values, gamma: Values, speed: Values) -> State:
+    """The working point as the book takes it: E3, E4, E7, E8."""
+    load, share = contact(Fz, p.FNOMIN)
+    Fz0 = p.LFZO * p.FNOMIN
+    sense = rolling_sense(speed, p.VXLOW)
+    slope = tan(alpha)
+    decay = 1.0 + p.LMUV * magnitude(speed) * sqrt(kappa * kappa + slope * slope) / p.LONGVL
+    mu_x, mu_y = p.LMUX / decay, p.LMUY / decay
+    return State(
+        slope,
+        kappa,
+        sin(gamma),
+        gamma,
+        load,
+        share,
+        Fz0,
+        (load - Fz0) / Fz0,
+        cos(alpha),
+        sense * sense,
+        sense * np.abs(sense),
+        mu_x,
+        mu_y,
+        A_MU * mu_x / (1.0 + (A_MU - 1.0) * mu_x),
+        A_MU * mu_y / (1.0 + (A_MU - 1.0) * mu_y),
+    )
