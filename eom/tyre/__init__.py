@@ -1,8 +1,11 @@
 """Tyres: slips, load and camber to forces and moments; .tir files, fitting, derivatives."""
 
 from eom.tyre.dugoff import Dugoff as Dugoff
+from eom.tyre.fit import Fit as Fit
+from eom.tyre.fit import fit as fit
 from eom.tyre.interface import Forces as Forces
 from eom.tyre.interface import Tyre as Tyre
+from eom.tyre.inverse import slip_angle_for as slip_angle_for
 from eom.tyre.linear import Linear as Linear
 from eom.tyre.magic_formula import MagicFormula as MagicFormula
 from eom.tyre.mf.relaxation import Relaxation as Relaxation
@@ -15,3 +18,4 @@ from eom.tyre.slip import thesis_slip as thesis_slip
 from eom.tyre.slopes import Slopes as Slopes
 from eom.tyre.slopes import slopes as slopes
 from eom.tyre.stack import stack as stack
+from eom.tyre.stiffness import fit_stiffness as fit_stiffness
