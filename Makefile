@@ -47,10 +47,10 @@ clean:
 	@test -n "$(PYTHON)" || { echo "eom needs Python 3.11 or newer"; exit 1; }
 	@echo "installing into .venv ..."
 	test -x $(BIN)/python || $(PYTHON) -m venv .venv
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e .
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[fast]'
 	@touch $@
 
 .venv/developing: .venv/installed
 	@echo "installing the tools for development into .venv ..."
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[dev,referees]'
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[dev,fast,referees]'
 	@touch $@

@@ -9,7 +9,7 @@ from typing import Any
 
 from eom.tyre.contact import contact, rolling_sense, rolling_speed
 from eom.tyre.elementary import maximum, minimum, sqrt, tan
-from eom.tyre.interface import REFERENCE_SPEED, Forces, evaluate
+from eom.tyre.interface import REFERENCE_SPEED, Forces, Formula, evaluate
 from eom.tyre.linear import LOW_SPEED
 from eom.tyre.parameters import Values, check_bounds, coefficient
 
@@ -32,21 +32,32 @@ class Dugoff:
     def __post_init__(self) -> None:
         check_bounds(self)
 
+    @property
+    def formula(self) -> Formula:
+        """The equations."""
+        return dugoff_forces
+
     def forces(
         self, alpha: Values, kappa: Values, Fz: Values, gamma: Values = 0.0, speed: Values = REFERENCE_SPEED
     ) -> Forces:
         """Forces and moments, see `eom.tyre.Tyre.forces`; camber has no effect."""
-        return evaluate(dugoff_forces, self, alpha, kappa, Fz, gamma, speed)
+        return evaluate(self, alpha, kappa, Fz, gamma, speed)
 
 
-def dugoff_forces(p: Dugoff, alpha: Values, kappa: Values, Fz: Values, gamma: Values, speed: Values) -> tuple[Any, ...]:
+def dugoff_forces(
+    p: Dugoff,
+    alpha: Values,
+    kappa: Values,
+    Fz: Values,
+    gamma: Values,  # noqa: ARG001  no effect in this model
+    speed: Values,
+) -> tuple[Any, ...]:
     """Fx, Fy, Mx, My, Mz of Dugoff's tyre.
 
     With lambda = mu Fz (1 + kappa) / (2 R), R the resultant of the two linear forces, and m = min(lambda, 1), the
     forces are C kappa/(1 + kappa) and -C tan(alpha)/(1 + kappa), each times m (2 - m). The factor 1 + kappa is
     cancelled, so that a locked wheel is no special case. The trail falls with the share m (2 - m) that adheres.
     """
-    del gamma  # no effect in this model
     load, share = contact(Fz, p.nominal_load)
     grip = p.friction * load
     drive, side = p.longitudinal * kappa, p.cornering * tan(alpha)

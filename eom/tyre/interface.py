@@ -29,8 +29,22 @@ class Forces(NamedTuple):
     Mz: Values
 
 
+Formula = Callable[[Any, Any, Any, Any, Any, Any], tuple[Any, ...]]
+"""Coefficients, alpha, kappa, Fz, gamma, speed to Fx, Fy, Mx, My, Mz."""
+
+
 class Tyre(Protocol):
-    """A tyre model with its coefficients."""
+    """A tyre model with its coefficients.
+
+    Attributes
+    ----------
+    formula : Formula
+        The equations, of the coefficients and plain arguments: what `forces` evaluates and `eom.tyre.Kernel` compiles.
+    """
+
+    @property
+    def formula(self) -> Formula:
+        """The equations."""
 
     def forces(
         self, alpha: Values, kappa: Values, Fz: Values, gamma: Values = 0.0, speed: Values = REFERENCE_SPEED
@@ -57,19 +71,15 @@ class Tyre(Protocol):
         """
 
 
-Formula = Callable[[Any, Any, Any, Any, Any, Any], tuple[Any, ...]]
-"""Coefficients, alpha, kappa, Fz, gamma, speed to Fx, Fy, Mx, My, Mz."""
-
-
-def evaluate(formula: Formula, p: Any, *arguments: Values) -> Forces:
-    """The formula at arguments (alpha, kappa, Fz, gamma, speed); raises `TyreError` for what is no finite number."""
+def evaluate(tyre: Tyre, *arguments: Values) -> Forces:
+    """A tyre's formula at alpha, kappa, Fz, gamma, speed; raises `TyreError` for what is no finite number."""
     arrays = [as_numbers(name, value) for name, value in zip(ARGUMENTS, arguments, strict=True)]
     try:
         shape = np.broadcast(*arrays).shape
     except ValueError:
         shapes = ", ".join(f"{name} {array.shape}" for name, array in zip(ARGUMENTS, arrays, strict=True))
         raise TyreError(f"arguments whose shapes do not fit together: {shapes}") from None
-    found = (np.asarray(value) for value in formula(p, *arrays))
+    found = (np.asarray(value) for value in tyre.formula(tyre, *arrays))
     return Forces(*(value[()] if value.shape == shape else np.broadcast_to(value, shape) for value in found))
 
 

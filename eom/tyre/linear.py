@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from eom.tyre.contact import contact, rolling_sense, rolling_speed
-from eom.tyre.interface import REFERENCE_SPEED, Forces, evaluate
+from eom.tyre.interface import REFERENCE_SPEED, Forces, Formula, evaluate
 from eom.tyre.parameters import Values, check_bounds, coefficient
 
 LOW_SPEED = 1.0
@@ -26,11 +26,16 @@ class Linear:
     def __post_init__(self) -> None:
         check_bounds(self)
 
+    @property
+    def formula(self) -> Formula:
+        """The equations."""
+        return linear_forces
+
     def forces(
         self, alpha: Values, kappa: Values, Fz: Values, gamma: Values = 0.0, speed: Values = REFERENCE_SPEED
     ) -> Forces:
         """Forces and moments, see `eom.tyre.Tyre.forces`."""
-        return evaluate(linear_forces, self, alpha, kappa, Fz, gamma, speed)
+        return evaluate(self, alpha, kappa, Fz, gamma, speed)
 
 
 def linear_forces(p: Linear, alpha: Values, kappa: Values, Fz: Values, gamma: Values, speed: Values) -> tuple[Any, ...]:

@@ -7,7 +7,7 @@ from eom.errors import TyreError
 from eom.tyre.contact import contact, rolling_sense, rolling_speed
 from eom.tyre.curve import sine
 from eom.tyre.elementary import arctan, cos, sqrt
-from eom.tyre.interface import REFERENCE_SPEED, Forces, evaluate
+from eom.tyre.interface import REFERENCE_SPEED, Forces, Formula, evaluate
 from eom.tyre.linear import LOW_SPEED
 from eom.tyre.parameters import Values, check_bounds, coefficient
 
@@ -61,11 +61,16 @@ class MagicFormula:
         if self.combined not in FORMULAS:
             raise TyreError(f"MagicFormula: combined = {self.combined!r}: expected 'ellipse' or 'cosine'")
 
+    @property
+    def formula(self) -> Formula:
+        """The equations."""
+        return FORMULAS[self.combined]
+
     def forces(
         self, alpha: Values, kappa: Values, Fz: Values, gamma: Values = 0.0, speed: Values = REFERENCE_SPEED
     ) -> Forces:
         """Forces and moments, see `eom.tyre.Tyre.forces`."""
-        return evaluate(FORMULAS[self.combined], self, alpha, kappa, Fz, gamma, speed)
+        return evaluate(self, alpha, kappa, Fz, gamma, speed)
 
 
 def ellipse_forces(

@@ -7,7 +7,7 @@ from typing import Literal, Self, get_args
 import numpy as np
 
 from eom.errors import TyreError
-from eom.tyre.interface import REFERENCE_SPEED, Forces, evaluate
+from eom.tyre.interface import REFERENCE_SPEED, Forces, Formula, evaluate
 from eom.tyre.mf.formulas import book_61, tool_52, tool_61
 from eom.tyre.mf_conditions import (
     AS_NOMINAL,
@@ -143,11 +143,16 @@ class MagicFormula61(
             raise TyreError(f"MagicFormula61: form = {self.form!r}: expected one of 'tool', 'book'")
         super().__post_init__()
 
+    @property
+    def formula(self) -> Formula:
+        """The equations."""
+        return tool_61 if self.form == "tool" else book_61
+
     def forces(
         self, alpha: Values, kappa: Values, Fz: Values, gamma: Values = 0.0, speed: Values = REFERENCE_SPEED
     ) -> Forces:
         """Forces and moments, see `eom.tyre.Tyre.forces`."""
-        return evaluate(tool_61 if self.form == "tool" else book_61, self, alpha, kappa, Fz, gamma, speed)
+        return evaluate(self, alpha, kappa, Fz, gamma, speed)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -165,8 +170,13 @@ class MagicFormula52(
         With a sentence for every coefficient that is no finite number or is out of its bounds.
     """
 
+    @property
+    def formula(self) -> Formula:
+        """The equations."""
+        return tool_52
+
     def forces(
         self, alpha: Values, kappa: Values, Fz: Values, gamma: Values = 0.0, speed: Values = REFERENCE_SPEED
     ) -> Forces:
         """Forces and moments, see `eom.tyre.Tyre.forces`."""
-        return evaluate(tool_52, self, alpha, kappa, Fz, gamma, speed)
+        return evaluate(self, alpha, kappa, Fz, gamma, speed)

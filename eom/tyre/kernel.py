@@ -1,0 +1,162 @@
+"""Tyre formulas as machine code: several tyres at once, a lane of a vector register each."""
+
+import dis
+import functools
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from types import FunctionType
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from eom.errors import TyreError
+from eom.tyre import fast_elementary
+from eom.tyre.interface import ARGUMENTS, Forces, Formula, Tyre
+from eom.tyre.parameters import Values
+
+LANES = 32
+"""Tyres of one block; with a constant stride between coefficients a compiler sees that no two of them overlap."""
+WIDTH = 8
+"""Tyres are evaluated in groups of so many, the widest vector register; those that fill up the last are discarded."""
+PACKAGE = "eom.tyre"
+
+
+@dataclass(frozen=True)
+class Kernel:
+    """The compiled formula of n tyres.
+
+    Attributes
+    ----------
+    table : array, (blocks, coefficients * LANES)
+        Coefficients that the formula uses.
+    run : function
+        Compiled ``run(table, arguments, out)``, to be called from other compiled code: *arguments* are alpha, kappa,
+        Fz, gamma, speed of each tyre, *out* gets Fx, Fy, Mx, My, Mz; both of shape (5, n), unchecked.
+    count : int
+        Number of tyres.
+    """
+
+    table: "np.ndarray[Any, Any]"
+    run: Callable[["np.ndarray[Any, Any]", "np.ndarray[Any, Any]", "np.ndarray[Any, Any]"], None]
+    count: int
+
+    def forces(self, alpha: Values, kappa: Values, Fz: Values, gamma: Values, speed: Values) -> Forces:
+        """Forces and moments as of `Tyre.forces`; each argument is a number or has one element for each tyre."""
+        arguments = np.empty((len(ARGUMENTS), self.count))
+        for row, name, value in zip(arguments, ARGUMENTS, (alpha, kappa, Fz, gamma, speed), strict=True):
+            try:
+                row[:] = value
+            except ValueError:
+                raise TyreError(f"{name}: expected a number or {self.count} of them, one for each tyre") from None
+        out = np.empty_like(arguments)
+        self.run(self.table, arguments, out)
+        return Forces(*out)
+
+
+def compile_forces(tyre: Tyre) -> Kernel:
+    """Compile a tyre's formula; several tyres are first made one by `stack`.
+
+    The formula is the very one that NumPy evaluates, with elementary functions that have no branches. The first call
+    in a process takes seconds for each formula.
+
+    Raises
+    ------
+    TyreError
+        If numba is not installed.
+    """
+    formula = tyre.formula
+    names = tuple(used_coefficients(formula, tyre))
+    columns = np.array(np.broadcast_arrays(*(np.atleast_1d(getattr(tyre, name)) for name in names)), dtype=float)
+    count = columns.shape[1]
+    blocks = -(-count // LANES)
+    filled = np.concatenate([columns, np.repeat(columns[:, -1:], blocks * LANES - count, axis=1)], axis=1)
+    table = filled.reshape(len(names), blocks, LANES).transpose(1, 0, 2).reshape(blocks, -1)
+    return Kernel(np.ascontiguousarray(table), compiled_loop(formula, names), count)
+
+
+def used_coefficients(formula: Formula, tyre: Tyre) -> Iterator[str]:
+    """The names of a tyre's numbers that its formula reads."""
+    for name in sorted({name for function in reached(formula) for name in loaded(function, "LOAD_ATTR")}):
+        if isinstance(getattr(tyre, name, None), (int, float, np.ndarray)):
+            yield name
+
+
+def reached(function: Any) -> Iterator[Any]:
+    """A function and all functions of this package that it calls."""
+    yield function
+    for _, called in calls(function):
+        yield from reached(called)
+
+
+def calls(function: Any) -> Iterator[tuple[str, Any]]:
+    """What a function calls of this package, by name; elementary functions are the ones without branches."""
+    for name in loaded(function, "LOAD_GLOBAL"):
+        value = getattr(fast_elementary, name, function.__globals__.get(name))
+        if isinstance(value, FunctionType) and value.__module__.startswith(PACKAGE):
+            yield name, value
+
+
+def loaded(function: Any, instruction: str) -> set[str]:
+    """The names that a function loads by a kind of instruction."""
+    return {item.argval for item in dis.get_instructions(function) if item.opname == instruction}
+
+
+@functools.cache
+def compiled(function: Any) -> Any:
+    """A function as machine code that is inlined where it is called, and with it all that it calls."""
+    names = {name: compiled(called) for name, called in calls(function)}
+    plain = FunctionType(function.__code__, {**function.__globals__, **names}, function.__name__)
+    return numba().njit(forceinline=True, error_model="numpy")(plain)
+
+
+@functools.cache
+def compiled_loop(formula: Formula, names: tuple[str, ...]) -> Any:
+    """``run(table, arguments, out)`` of `Kernel` for a formula that reads the named coefficients."""
+    njit = numba().njit
+    Coefficients = NamedTuple("Coefficients", [(name, float) for name in names])  # type: ignore[misc]
+    values = ", ".join(f"block[{k * LANES} + lane]" for k in range(len(names)))
+    space: dict[str, Any] = {"Coefficients": Coefficients}
+    # a tuple of so many elements can only be written out
+    exec(f"def coefficients(block, lane):\n    return Coefficients({values})", space)  # noqa: S102
+    coefficients = njit(forceinline=True)(space["coefficients"])
+    forces = compiled(formula)
+
+    def block_forces(block: Any, x: Any, y: Any, count: int) -> None:
+        for lane in range(count):
+            p = coefficients(block, lane)
+            Fx, Fy, Mx, My, Mz = forces(
+                p, x[lane], x[LANES + lane], x[2 * LANES + lane], x[3 * LANES + lane], x[4 * LANES + lane]
+            )
+            y[lane] = Fx
+            y[LANES + lane] = Fy
+            y[2 * LANES + lane] = Mx
+            y[3 * LANES + lane] = My
+            y[4 * LANES + lane] = Mz
+
+    inner = njit(error_model="numpy")(block_forces)
+
+    def run(table: Any, arguments: Any, out: Any) -> None:
+        rows, total = arguments.shape
+        x, y = np.empty(rows * LANES), np.empty(rows * LANES)
+        for b in range(table.shape[0]):
+            first = b * LANES
+            count = min(LANES, total - first)
+            groups = (count + WIDTH - 1) // WIDTH * WIDTH
+            for row in range(rows):
+                for lane in range(groups):
+                    x[row * LANES + lane] = arguments[row, min(first + lane, total - 1)]
+            inner(table[b], x, y, groups)
+            for row in range(rows):
+                for lane in range(count):
+                    out[row, first + lane] = y[row * LANES + lane]
+
+    return njit(error_model="numpy")(run)
+
+
+def numba() -> Any:
+    """The compiler, imported on first use; raises `TyreError` if it is not installed."""
+    try:
+        import numba  # noqa: PLC0415  slow to import, and an extra
+    except ImportError:
+        raise TyreError("compiled tyres need numba: install eom-vehicle[fast]") from None
+    return numba
