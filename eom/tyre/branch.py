@@ -5,7 +5,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from eom.errors import TyreError
 from eom.tyre.slopes import STEP, derivative
 
 Array = np.ndarray[Any, Any]
@@ -20,21 +19,24 @@ AT_PEAK = 1e-9
 
 
 class Branch(NamedTuple):
-    """A piece of a force curve on which the force has one direction over slip; arrays of the shape of the curves.
+    """A piece of a force curve on which the force has one direction over slip.
 
     Attributes
     ----------
     ends : array
-        Slips at the lower and the upper end, stacked along the first axis.
+        Slips at the lower and the upper end, stacked along the first axis before the shape of the curves.
+    rises : array
+        Whether the force grows with slip between them.
     peaks : array
-        Whether the force has its peak there, stacked likewise; an end without a peak is that of the range of slip.
+        Whether the force has its peak there, stacked likewise; without one .
     """
 
     ends: Array
+    rises: Array
     peaks: Array
 
 
-def branch(curve: Curve, sign: float, end: float, shape: tuple[int, ...]) -> Branch:
+def branch(curve: Curve, end: float, shape: tuple[int, ...]) -> Branch:
     """The branch of each of many curves around straight running.
 
     The Magic Formula is nowhere as steep as between its peaks. So the branch is that of the steepest place,
@@ -45,29 +47,18 @@ def branch(curve: Curve, sign: float, end: float, shape: tuple[int, ...]) -> Bra
     ----------
     curve : callable
         Forces [N] of slips.
-    sign : float
-        1 for a force that grows with slip, -1 for one that falls.
     end : float
         Slips run from -end to end.
     shape : tuple of int
         Shape of the curves.
-
-    Raises
-    ------
-    TyreError
-        If the force has the other sign's direction.
     """
     grid = end * GRID.reshape(-1, *(1 for _ in shape))
-    slope = sign * slope_of(curve, grid)
+    slope = slope_of(curve, grid)
     count = np.arange(GRID.size).reshape(grid.shape)
     steepest = np.argmax(np.abs(slope), axis=0)
-    if np.any(np.take_along_axis(slope, steepest[np.newaxis], axis=0) < 0.0):
-        raise TyreError(
-            "the force has the wrong direction over slip: expected a lateral force that falls with the slip angle, a "
-            "longitudinal one that grows with slip; turn the signs of coefficients that are for other axes than ISO's"
-        )
+    direction = np.sign(np.take_along_axis(slope, steepest[np.newaxis], axis=0))
     # the nearest places on both sides where the force goes back
-    back = slope <= 0.0
+    back = slope * direction <= 0.0
     below = np.max(np.where(back & (count < steepest), count, -1), axis=0)
     above = np.min(np.where(back & (count > steepest), count, GRID.size), axis=0)
     peaks = np.stack([below >= 0, above < GRID.size])
@@ -75,8 +66,8 @@ def branch(curve: Curve, sign: float, end: float, shape: tuple[int, ...]) -> Bra
     upper = end * GRID[np.stack([below + 1, np.minimum(above, GRID.size - 1)])]
     found = root(lambda slip: slope_of(curve, slip), lower, upper, AT_PEAK)
     ends = np.where(peaks, found, np.stack([lower[0], upper[1]]))
-    still = ~np.any(slope, axis=0)
-    return Branch(np.where(still, 0.0, ends), peaks & ~still)
+    still = direction[0] == 0.0
+    return Branch(np.where(still, 0.0, ends), direction[0] > 0.0, peaks & ~still)
 
 
 def slope_of(curve: Curve, slip: Array) -> Array:

@@ -5,12 +5,13 @@ import dataclasses
 import difflib
 import math
 from collections.abc import Mapping, Sequence
-from typing import Any, Generic, NamedTuple, TypeVar
+from typing import Any, Generic, TypeVar
 
 import numpy as np
 
 from eom.errors import TyreError
 from eom.tyre.fit_data import Points, points_of
+from eom.tyre.fit_quality import Residual, at_bounds, residuals_of, scales_of, uncertainty
 from eom.tyre.interface import Tyre
 from eom.tyre.parameters import Values, coefficients
 from eom.tyre.slopes import STEP, derivative
@@ -18,29 +19,8 @@ from eom.tyre.slopes import STEP, derivative
 T = TypeVar("T", bound=Tyre)
 Array = np.ndarray[Any, Any]
 
-ARM = 0.1
-"""Length [m] that makes a moment per load comparable to a force per load: the size of a large pneumatic trail."""
-
-WEAK = 1e-8
-"""Smallest singular value of the Jacobian with columns of length one; below, rounding decides (its square is eps)."""
-
 FINE = 1e-15
 """Relative change of cost, step and gradient at which the search ends: at rounding, as exact derivatives allow."""
-
-
-class Residual(NamedTuple):
-    """Root mean square of what a fit leaves of a channel.
-
-    Attributes
-    ----------
-    value : float
-        In N or N m.
-    per_load : float
-        The same over the root mean square of the load: a number for forces, metres for moments.
-    """
-
-    value: float
-    per_load: float
 
 
 @dataclasses.dataclass(frozen=True)
@@ -112,7 +92,7 @@ def fit(tyre: T, data: Mapping[str, Values], names: Sequence[str]) -> Fit[T]:
     scales = scales_of(points)
 
     def residual(values: Array) -> Array:
-        return weighted(tyre_with(tyre, names, values), points, scales) - measured
+        return np.asarray(weighted(tyre_with(tyre, names, values), points, scales) - measured)
 
     def jacobian(values: Array) -> Array:
         steps = 1j * STEP * np.eye(len(names))
@@ -128,7 +108,7 @@ def fit(tyre: T, data: Mapping[str, Values], names: Sequence[str]) -> Fit[T]:
         found = least_squares(
             residual, start, jacobian, (bounds[0], bounds[1]), x_scale="jac", ftol=FINE, xtol=FINE, gtol=FINE
         )
-    errors, correlation, weak = uncertainty(found.jac, found.fun, names)
+    errors, correlation, weak = uncertainty(jacobian(found.x), found.fun, names)
     warnings = [*weak, *at_bounds(found.x, found.active_mask, names)]
     if not found.success:
         warnings.append(f"the search did not converge in {found.nfev} evaluations: start nearer to the data")
@@ -168,12 +148,6 @@ def bounds_of(item: "dataclasses.Field[Any]") -> tuple[float, float]:
     return max(least, limits["at_least"]), limits["at_most"]
 
 
-def scales_of(points: Points) -> dict[str, float]:
-    """What each channel is divided by [N or N m]."""
-    load = float(np.sqrt(np.mean(points.arguments["Fz"] ** 2)))
-    return {name: load * (ARM if name.startswith("M") else 1.0) for name in points.channels}
-
-
 def tyre_with(tyre: T, names: Sequence[str], values: Array) -> T:
     """The tyre with other coefficients, which may be complex to carry a derivative; their bounds are not checked."""
     changed = copy.copy(tyre)
@@ -186,47 +160,3 @@ def weighted(tyre: Tyre, points: Points, scales: Mapping[str, float]) -> Array:
     """What the tyre gives for the measured channels, over their scales, in one row."""
     forces = tyre.forces(**points.arguments)
     return np.concatenate([np.asarray(getattr(forces, name)) / scales[name] for name in points.channels])
-
-
-def residuals_of(rest: Array, points: Points, scales: Mapping[str, float]) -> dict[str, Residual]:
-    """Root mean squares of the residuals, channel by channel."""
-    parts = np.split(rest, len(points.channels))
-    found = {}
-    for name, part in zip(points.channels, parts, strict=True):
-        rms = float(np.sqrt(np.mean(part**2)))
-        found[name] = Residual(rms * scales[name], rms * (ARM if name.startswith("M") else 1.0))
-    return found
-
-
-def uncertainty(J: Array, rest: Array, names: Sequence[str]) -> tuple[Array, Array, list[str]]:
-    """Standard errors, their correlation, and sentences for what the data do not determine.
-
-    The covariance is s^2 (J^T J)^-1 with s^2 the sum of squares over its degrees of freedom. Columns of J are first
-    brought to length one; singular values that are nearly zero then show combinations without effect.
-    """
-    lengths = np.linalg.norm(J, axis=0)
-    _, singular, rows = np.linalg.svd(J / np.where(lengths > 0.0, lengths, 1.0), full_matrices=False)
-    strong = singular > WEAK * singular[0] if singular[0] > 0.0 else np.zeros(len(singular), dtype=bool)
-    # what takes part in a combination without effect, by more than rounding
-    loose = np.any(np.abs(rows[~strong]) > np.sqrt(WEAK), axis=0)
-    inverse = rows[strong].T / singular[strong]
-    spread = np.linalg.norm(inverse, axis=1)
-    deviation = np.sqrt(rest @ rest / max(len(rest) - len(names), 1))
-    with np.errstate(invalid="ignore", divide="ignore"):
-        errors = np.where(loose, np.inf, deviation * spread / lengths)
-        correlation = np.where(loose[:, None] | loose, np.nan, inverse @ inverse.T / np.outer(spread, spread))
-    sentences = []
-    for k in np.flatnonzero(loose):
-        others = [names[i] for i in np.flatnonzero(loose & (lengths > 0.0)) if i != k]
-        why = f"only together with {', '.join(others)}" if lengths[k] > 0.0 else "not at all"
-        sentences.append(f"the data determine {names[k]} {why}: its value is one of many")
-    return errors, correlation, sentences
-
-
-def at_bounds(values: Array, mask: Array, names: Sequence[str]) -> list[str]:
-    """Sentences for coefficients that the data would move beyond their bounds."""
-    return [
-        f"{name} = {value:g} stands at its bound: its standard error says nothing"
-        for name, value, side in zip(names, values, mask, strict=True)
-        if side
-    ]

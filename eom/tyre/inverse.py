@@ -57,10 +57,15 @@ def slip_angle_for(
     def lateral(alpha: Array) -> Array:
         return np.asarray(tyre.forces(alpha, kappa, Fz, gamma, speed).Fy)
 
-    ends = branch(lateral, -1.0, 0.5 * np.pi, shape).ends
-    most, least = lateral(ends)
+    way = branch(lateral, 0.5 * np.pi, shape)
+    if np.any(way.rises):
+        raise TyreError(
+            "the lateral force grows with the slip angle: expected coefficients for ISO axes, in which it falls; "
+            "turn the signs of coefficients that are for other axes"
+        )
+    most, least = lateral(way.ends)
     saturated = (demand < least) | (demand > most)
-    inside = root(lambda alpha: lateral(alpha) - demand, *ends)
-    nearest = np.where(most - demand < demand - least, *ends)
+    inside = root(lambda alpha: lateral(alpha) - demand, *way.ends)
+    nearest = np.where(most - demand < demand - least, *way.ends)
     # within rounding of a peak the search may see no change of sign
     return SlipAngle(np.where(saturated | np.isnan(inside), nearest, inside), saturated)

@@ -51,7 +51,7 @@ def fit_stiffness(loads: Values, cornering: Values, longitudinal: Values, **othe
         f"fit_stiffness: {problem}" for problem in problems(Fz, {"cornering": C_y, "longitudinal": C_x}, nominal)
     ]:
         raise TyreError("\n".join(wrong))
-    fitted: dict[str, float] = {}
+    fitted: dict[str, Any] = {}
     for axis, stiffness in (("x", C_x), ("y", C_y)):
         factors = polynomial(Fz / nominal - 1.0, stiffness / Fz, f"k_{axis}")
         fitted |= {f"k_{axis}{name}": float(factor) for name, factor in zip(NAMES, factors, strict=False)}
