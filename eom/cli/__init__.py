@@ -1,4 +1,4 @@
-"""Command line: ``eom`` with ``check``, ``build``, ``modes``, ``sweep``, ``response``, ``kinematics``, ``schema``."""
+"""Command line: ``eom`` and its commands, see `eom.cli.app`."""
 
 import sys
 

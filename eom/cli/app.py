@@ -145,6 +145,19 @@ def response(
 
 
 @app.command()
+def tyre(
+    file: Annotated[Path, typer.Argument(metavar="FILE.tir", help="The tyre file.", show_default=False)],
+    out: Annotated[
+        Path | None, typer.Option("--out", metavar="FOLDER", help="Write curves (.csv) and pictures (.png, .svg).")
+    ] = None,
+) -> None:
+    """Read a .tir file: stiffnesses, friction, trail and relaxation over load, and what is suspicious."""
+    from eom.cli.tyre import run_tyre  # noqa: PLC0415
+
+    run_tyre(file, out)
+
+
+@app.command()
 def schema() -> None:
     """Print the JSON Schema of vehicle files, with which an editor completes and checks them."""
     import json  # noqa: PLC0415

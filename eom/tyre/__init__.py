@@ -10,7 +10,6 @@ from eom.tyre.linear import Linear as Linear
 from eom.tyre.magic_formula import MagicFormula as MagicFormula
 from eom.tyre.mf.relaxation import Relaxation as Relaxation
 from eom.tyre.mf.relaxation import relaxation_lengths as relaxation_lengths
-from eom.tyre.mf_coefficients import MagicFormula52, MagicFormula61
 from eom.tyre.mf_coefficients import MagicFormula52 as MagicFormula52
 from eom.tyre.mf_coefficients import MagicFormula61 as MagicFormula61
 from eom.tyre.slip import slip_of_thesis as slip_of_thesis
@@ -20,7 +19,7 @@ from eom.tyre.slopes import Slopes as Slopes
 from eom.tyre.slopes import slopes as slopes
 from eom.tyre.stack import stack as stack
 from eom.tyre.stiffness import fit_stiffness as fit_stiffness
-from eom.tyre.tir import TirFile, read_tir
-from eom.tyre.tir_write import write_tir
-
-__all__ = ["MagicFormula52", "MagicFormula61", "TirFile", "read_tir", "write_tir"]
+from eom.tyre.suspicion import suspicions as suspicions
+from eom.tyre.tir import TirFile as TirFile
+from eom.tyre.tir import read_tir as read_tir
+from eom.tyre.tir_write import write_tir as write_tir

@@ -10,7 +10,7 @@ from eom.tyre.interface import Tyre, as_numbers
 from eom.tyre.mf.relaxation import Relaxation, relaxation_lengths
 from eom.tyre.mf_coefficients import MagicFormula52, MagicFormula61
 from eom.tyre.parameters import Values
-from eom.tyre.range import range_of
+from eom.tyre.range import inside, range_of
 from eom.tyre.slopes import slopes
 
 
@@ -95,6 +95,4 @@ SHARES = (0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 2.0)
 def usual_loads(tyre: Tyre) -> Array:
     """Loads [N] at which tyres are usually told, as far as they are in the tyre's range; or the ends of that."""
     where = range_of(tyre)
-    loads = where.nominal * np.array(SHARES)
-    inside = loads[(loads >= where.Fz[0]) & (loads <= where.Fz[1])]
-    return inside if inside.size else np.array(where.Fz)
+    return inside(where.nominal * np.array(SHARES), where.Fz)

@@ -2,6 +2,8 @@
 
 from typing import Any, NamedTuple
 
+import numpy as np
+
 Interval = tuple[float, float]
 
 USUAL_LOAD = (0.25, 2.0)
@@ -47,3 +49,9 @@ def within(usual: Interval, measured: Interval) -> Interval:
     """What two intervals share; the measured one if they share nothing."""
     low, high = max(usual[0], measured[0]), min(usual[1], measured[1])
     return (float(low), float(high)) if low < high else (float(measured[0]), float(measured[1]))
+
+
+def inside(values: "np.ndarray[Any, Any]", ends: Interval) -> "np.ndarray[Any, Any]":
+    """The values within a range, or its ends if there are none."""
+    found = values[(values >= ends[0]) & (values <= ends[1])]
+    return found if found.size else np.array(ends)

@@ -1,0 +1,101 @@
+"""A tyre as tables and a file of numbers."""
+
+import csv
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from eom.report.table import table
+from eom.tyre.carpet import Carpet
+from eom.tyre.characteristics import Characteristics
+from eom.tyre.interface import Forces
+from eom.tyre.mf_coefficients import MagicFormula52, MagicFormula61
+from eom.tyre.parameters import Values
+from eom.tyre.tir import TirFile
+
+VERSIONS = {MagicFormula61: "Magic Formula 6.1", MagicFormula52: "Magic Formula 5.2"}
+
+
+def tyre_summary(file: TirFile) -> str:
+    """What a file describes, a line for each property."""
+    tyre = file.tyre
+    size = f"{tyre.FNOMIN:g} N, free radius {1e3 * tyre.UNLOADED_RADIUS:g} mm"
+    if isinstance(tyre, MagicFormula61):
+        size += f", {1e-3 * tyre.NOMPRES:g} kPa"
+        pressure = [("inflation", f"{1e-3 * tyre.INFLPRES:g} kPa")]
+    else:
+        pressure = []
+    lines = [
+        ("tyre", file.file),
+        ("model", VERSIONS[type(tyre)]),
+        ("side", f"{tyre.side or 'either, or not known'}{', mirrored' if tyre.mirror else ''}"),
+        ("forces", tyre.use),
+        ("nominal", size),
+        *pressure,
+        ("load", f"{interval(tyre.FZMIN, tyre.FZMAX, 1.0)} N"),
+        ("slip angle", f"{interval(tyre.ALPMIN, tyre.ALPMAX, 180.0 / np.pi)} deg"),
+        ("slip", interval(tyre.KPUMIN, tyre.KPUMAX, 1.0)),
+        ("camber", f"{interval(tyre.CAMMIN, tyre.CAMMAX, 180.0 / np.pi)} deg"),
+    ]
+    width = max(len(name) for name, _ in lines)
+    return "\n".join(f"{name.ljust(width)}  {text}" for name, text in lines)
+
+
+def interval(low: Values, high: Values, factor: float) -> str:
+    """Both ends of a range of measurement."""
+    return " to ".join(f"{end * factor:.4g}" for end in (low, high))
+
+
+def stiffness_tables(figures: Characteristics) -> str:
+    """Figures over load: one table of the lateral direction, one of the longitudinal one."""
+    per_degree = np.deg2rad(figures.cornering)
+    lateral = {
+        "load [N]": column(figures.Fz, 0),
+        "cornering stiffness [N/rad]": column(figures.cornering, 0),
+        "[N/deg]": column(per_degree, 1),
+        "over load [1/rad]": column(figures.cornering / figures.Fz, 2),
+        "camber stiffness [N/rad]": column(figures.camber, 0),
+        "peak Fy/Fz": column(figures.side.friction, 3),
+        "at [deg]": column(np.rad2deg(figures.side.slip), 2),
+        "trail [mm]": column(1e3 * figures.trail, 1),
+        "relaxation [m]": column(np.asarray(figures.relaxation.alpha), 3),
+    }
+    longitudinal = {
+        "load [N]": column(figures.Fz, 0),
+        "slip stiffness [N]": column(figures.longitudinal, 0),
+        "over load": column(figures.longitudinal / figures.Fz, 2),
+        "peak Fx/Fz": column(figures.drive.friction, 3),
+        "at slip": column(figures.drive.slip, 4),
+        "relaxation [m]": column(np.asarray(figures.relaxation.kappa), 3),
+    }
+    return "\n\n".join(
+        f"{title}\n{table(list(columns), zip(*columns.values(), strict=True), 0)}"
+        for title, columns in (("lateral", lateral), ("longitudinal", longitudinal))
+    )
+
+
+def column(values: "np.ndarray[Any, Any]", digits: int) -> list[str]:
+    """Numbers for people; a dash where there is none."""
+    # + 0.0 so that rounding leaves no negative zero
+    return [f"{round(value, digits) + 0.0:.{digits}f}" if np.isfinite(value) else "-" for value in values.tolist()]
+
+
+def sentences(title: str, texts: Sequence[object]) -> str:
+    """A title with a line for each text; or that there is none."""
+    return f"{title}\n" + "\n".join(f"  {text}" for text in texts) if texts else f"{title}: none"
+
+
+def write_carpet(path: Path, curves: Carpet) -> None:
+    """All points of a carpet as CSV in SI units at full precision, a line for each."""
+    with path.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file)
+        units = dict(zip(Forces._fields, ("N", "N", "N m", "N m", "N m"), strict=True))
+        writer.writerow(
+            ["curves", "alpha [rad]", "kappa", "Fz [N]", *(f"{name} [{unit}]" for name, unit in units.items())]
+        )
+        for name, sweep in (("side", curves.side), ("drive", curves.drive), ("ellipse", curves.ellipse)):
+            columns = (sweep.alpha, sweep.kappa, sweep.Fz, *sweep.forces)
+            rows: Iterable[tuple[float, ...]] = zip(*(np.ravel(values).tolist() for values in columns), strict=True)
+            writer.writerows([name, *map(repr, row)] for row in rows)

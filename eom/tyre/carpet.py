@@ -1,0 +1,120 @@
+"""The usual pictures of a tyre, as numbers: forces over slip for several loads, and the friction ellipse."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from eom.tyre.interface import Forces, Tyre
+from eom.tyre.parameters import Values
+from eom.tyre.range import inside, range_of
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+Array = np.ndarray[Any, Any]
+
+POINTS = 161
+LOADS = (0.25, 0.5, 1.0, 1.5, 2.0)
+"""Loads over the nominal one."""
+ELLIPSE = (0.0, 1.0, 2.0, 4.0, 8.0, 15.0)
+"""Slip angles [deg] of the friction ellipse, to both sides."""
+
+
+class Sweep(NamedTuple):
+    """Forces and moments over one slip, a row for each curve; all arrays have the shape (curves, points)."""
+
+    alpha: Array
+    kappa: Array
+    Fz: Array
+    forces: Forces
+
+
+@dataclass(frozen=True)
+class Carpet:
+    """Curves of an upright tyre at 60 km/h.
+
+    Attributes
+    ----------
+    title : str
+        Name of the tyre.
+    side : Sweep
+        Over the slip angle, without longitudinal slip, a curve for each load.
+    drive : Sweep
+        Over longitudinal slip, without slip angle, a curve for each load.
+    ellipse : Sweep
+        Over longitudinal slip at nominal load, a curve for each slip angle.
+    """
+
+    title: str
+    side: Sweep
+    drive: Sweep
+    ellipse: Sweep
+
+    def plot(self) -> "Figure":
+        """Fy over slip angle, Fx over slip, friction ellipse and Mz over slip angle, in four panels."""
+        from matplotlib.figure import Figure  # noqa: PLC0415  slow to import
+
+        figure = Figure(figsize=(11.0, 8.0), layout="constrained")
+        (side, drive), (ellipse, aligning) = figure.subplots(2, 2)
+        degrees = np.rad2deg(self.side.alpha)
+        draw(side, degrees, self.side.forces.Fy * KILO, loads_of(self.side))
+        side.set(xlabel="slip angle [deg]", ylabel="Fy [kN]")
+        draw(drive, self.drive.kappa, self.drive.forces.Fx * KILO, loads_of(self.drive))
+        drive.set(xlabel="longitudinal slip", ylabel="Fx [kN]")
+        angles = [f"±{abs(angle):.3g}°" for angle in np.rad2deg(self.ellipse.alpha[:, 0])]
+        draw(ellipse, self.ellipse.forces.Fx * KILO, self.ellipse.forces.Fy * KILO, angles)
+        ellipse.set(xlabel="Fx [kN]", ylabel="Fy [kN]", aspect="equal")
+        draw(aligning, degrees, self.side.forces.Mz, loads_of(self.side))
+        aligning.set(xlabel="slip angle [deg]", ylabel="Mz [N m]")
+        for axes, title in ((side, "load"), (drive, "load"), (ellipse, "slip angle"), (aligning, "load")):
+            axes.legend(
+                title=title, fontsize="small", title_fontsize="small", loc="center left", bbox_to_anchor=(1, 0.5)
+            )
+        figure.suptitle(self.title)
+        return figure
+
+
+KILO = 1e-3
+
+
+def draw(axes: "Axes", x: Values, y: Values, labels: list[str]) -> None:
+    """One curve a row; curves of one label have one colour."""
+    colours = {label: f"C{k % 10}" for k, label in enumerate(dict.fromkeys(labels))}
+    for k, (abscissae, ordinates) in enumerate(zip(np.asarray(x), np.asarray(y), strict=True)):
+        label = labels[k] if labels[k] not in labels[:k] else None
+        axes.plot(abscissae, ordinates, label=label, color=colours[labels[k]], linewidth=1.2)
+    axes.axhline(0.0, color="0.6", linewidth=0.6, zorder=0)
+    axes.axvline(0.0, color="0.6", linewidth=0.6, zorder=0)
+    axes.grid(alpha=0.3)
+
+
+def loads_of(sweep: Sweep) -> list[str]:
+    """Labels of curves over load."""
+    return [f"{load * KILO:.3g} kN" for load in sweep.Fz[:, 0]]
+
+
+def carpet(tyre: Tyre, title: str = "") -> Carpet:
+    """Curves of one tyre within its range, as far as that is usual.
+
+    Loads are 0.25, 0.5, 1, 1.5 and 2 of the nominal one, slip angles of the friction ellipse 0, 1, 2, 4, 8 and 15
+    degrees to both sides, those of them that the tyre's range has.
+    """
+    where = range_of(tyre)
+    loads = inside(where.nominal * np.array(LOADS), where.Fz)
+    degrees = np.array(ELLIPSE)
+    angles = inside(np.deg2rad(np.concatenate([-degrees[:0:-1], degrees])), where.alpha)
+    alpha, kappa = np.linspace(*where.alpha, POINTS), np.linspace(*where.kappa, POINTS)
+    return Carpet(
+        title,
+        sweep(tyre, alpha, 0.0, loads[:, np.newaxis]),
+        sweep(tyre, 0.0, kappa, loads[:, np.newaxis]),
+        sweep(tyre, angles[:, np.newaxis], kappa, where.nominal),
+    )
+
+
+def sweep(tyre: Tyre, alpha: Values, kappa: Values, Fz: Values) -> Sweep:
+    """Forces where all three arguments are combined."""
+    slips = np.broadcast_arrays(alpha, kappa, Fz)
+    return Sweep(slips[0], slips[1], slips[2], tyre.forces(*slips))
