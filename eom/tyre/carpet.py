@@ -63,7 +63,7 @@ class Carpet:
         side.set(xlabel="slip angle [deg]", ylabel="Fy [kN]")
         draw(drive, self.drive.kappa, self.drive.forces.Fx * KILO, loads_of(self.drive))
         drive.set(xlabel="longitudinal slip", ylabel="Fx [kN]")
-        angles = [f"±{abs(angle):.3g}°" for angle in np.rad2deg(self.ellipse.alpha[:, 0])]
+        angles = [f"±{abs(angle):.3g}°" if angle else "0°" for angle in np.rad2deg(self.ellipse.alpha[:, 0])]
         draw(ellipse, self.ellipse.forces.Fx * KILO, self.ellipse.forces.Fy * KILO, angles)
         ellipse.set(xlabel="Fx [kN]", ylabel="Fy [kN]", aspect="equal")
         draw(aligning, degrees, self.side.forces.Mz, loads_of(self.side))
