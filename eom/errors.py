@@ -10,7 +10,7 @@ class EomError(Exception):
 
 @dataclass(frozen=True, order=True)
 class Mistake:
-    """One mistake in a description, with the place where it stands.
+    """One mistake in a description or tyre file, with the place where it stands.
 
     Attributes
     ----------
@@ -37,7 +37,7 @@ class Mistake:
 
 
 class DescriptionError(EomError):
-    """A vehicle file that says something wrong; holds every mistake found, in reading order."""
+    """A vehicle or tyre file that says something wrong; holds every mistake found, in reading order."""
 
     def __init__(self, mistakes: Sequence[Mistake]) -> None:
         self.mistakes = tuple(sorted(set(mistakes)))

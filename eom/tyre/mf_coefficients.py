@@ -58,7 +58,7 @@ class Mounting(Model, Dimension, LongSlipRange, SlipAngleRange, InclinationAngle
     def __post_init__(self) -> None:
         check_bounds(self)
         name = type(self).__name__
-        wrong = [f"{name}: {key} = {getattr(self, key)}: {what}" for key, what in range_problems(self)]
+        wrong = [f"{name}: {key} = {getattr(self, key)}: {what}" for key, what in range_problems(self, vars(self))]
         choices = {"side": (None, *get_args(Side)), "mirror": (False, True), "use": get_args(Use)}
         wrong += [
             f"{name}: {key} = {getattr(self, key)!r}: expected one of {', '.join(map(repr, known))}"

@@ -2,7 +2,7 @@
 
 import dataclasses
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -61,11 +61,16 @@ def limits(owner: Any) -> Iterator["dataclasses.Field[Any]"]:
     return (item for item in dataclasses.fields(owner) if "limit_unit" in item.metadata)
 
 
-def range_problems(tyre: Any) -> Iterator[tuple[str, str]]:
-    """For every range that no value is in: the name of its upper end, and the sentence."""
-    for item in limits(tyre):
-        if item.name.endswith("MAX"):
-            low, high = item.name.removesuffix("MAX") + "MIN", item.name
-            ends = getattr(tyre, low), getattr(tyre, high)
-            if not np.all(np.less(*ends)):
-                yield high, f"expected more than {low} = {ends[0]}, got {ends[1]}"
+def range_problems(owner: Any, values: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+    """For every range that no value is in: the name of its upper end, and the sentence.
+
+    *values* are the ends of the ranges of *owner*, a parameter object or its class; ends left out have their default.
+    """
+    ends = {item.name: values.get(item.name, item.default) for item in limits(owner)}
+    for low, high in zip(list(ends)[::2], list(ends)[1::2], strict=True):
+        try:
+            fits = bool(np.all(np.less(ends[low], ends[high])))
+        except TypeError:
+            fits = False
+        if not fits:
+            yield high, f"expected a number above {low} = {ends[low]}"

@@ -1,0 +1,104 @@
+"""Keys of .tir files: the section of each coefficient, other spellings, and what is known but not modelled."""
+
+import dataclasses
+from collections.abc import Mapping
+from typing import Any
+
+from eom.tyre import mf_conditions, mf_forces, mf_moments, mf_ranges, mf_scaling
+from eom.tyre.mf_coefficients import MagicFormula52, MagicFormula61
+
+Tyre = MagicFormula61 | MagicFormula52
+
+# per section the classes whose fields stand in it, in the order in which a file is written
+SECTIONS: Mapping[str, tuple[type, ...]] = {
+    "MODEL": (mf_conditions.Model,),
+    "DIMENSION": (mf_conditions.Dimension,),
+    "OPERATING_CONDITIONS": (mf_conditions.OperatingConditions,),
+    "VERTICAL": (mf_conditions.Vertical, mf_conditions.Vertical61),
+    "STRUCTURAL": (mf_conditions.Structural,),
+    "CONTACT_PATCH": (mf_conditions.Contact52,),
+    "INFLATION_PRESSURE_RANGE": (mf_ranges.InflationPressureRange,),
+    "VERTICAL_FORCE_RANGE": (mf_ranges.VerticalForceRange,),
+    "LONG_SLIP_RANGE": (mf_ranges.LongSlipRange,),
+    "SLIP_ANGLE_RANGE": (mf_ranges.SlipAngleRange,),
+    "INCLINATION_ANGLE_RANGE": (mf_ranges.InclinationAngleRange,),
+    "SCALING_COEFFICIENTS": (mf_scaling.Scaling, mf_scaling.Scaling61, mf_scaling.Scaling52),
+    "LONGITUDINAL_COEFFICIENTS": (mf_forces.Longitudinal, mf_forces.Longitudinal61, mf_forces.Longitudinal52),
+    "OVERTURNING_COEFFICIENTS": (mf_moments.Overturning, mf_moments.Overturning61),
+    "LATERAL_COEFFICIENTS": (mf_forces.Lateral, mf_forces.Lateral61, mf_forces.Lateral52),
+    "ROLLING_COEFFICIENTS": (mf_moments.Rolling, mf_moments.Rolling61),
+    "ALIGNING_COEFFICIENTS": (mf_moments.Aligning, mf_moments.Aligning61),
+}
+HEADERS = frozenset({"MDI_HEADER", "HEADER"})
+SECTION_OF: Mapping[str, str] = {
+    name: section
+    for section, owners in SECTIONS.items()
+    for owner in owners
+    for name in (item.name for item in dataclasses.fields(owner))
+}
+
+ALIASES: Mapping[str, str] = {"LFZ0": "LFZO", "IP": "INFLPRES", "IP_NOM": "NOMPRES"}
+
+# keys that say how a file is to be handled, and nothing of the tyre
+WITHOUT_MEANING = frozenset(
+    {
+        "TYPE",
+        "FUNCTION_NAME",
+        "USER_SUB_ID",
+        "N_TIRE_STATES",
+        "SWITCH_INTEG",
+        "HMAX_LOCAL",
+        "TIME_SWITCH_INTEG",
+        "ROAD_INCREMENT",
+        "ROAD_DIRECTION",
+        "MFSAFE1",
+        "MFSAFE2",
+        "MFSAFE3",
+    }
+)
+
+# what neither version of the equations has here, by subject
+NOT_MODELLED: Mapping[str, str] = {
+    "turn slip": "LMP PDXP1 PDXP2 PDXP3 PKYP1 PDYP1 PDYP2 PDYP3 PDYP4 PHYP1 PHYP2 PHYP3 PHYP4 PECP1 PECP2 QDTP1 "
+    "QCRP1 QCRP2 QBRP1 QDRP1 TURNSLIP",
+    "mass and inertia": "MASS IXX IYY BELT_MASS BELT_IXX BELT_IYY GRAVITY",
+    "the belt as a body": "YAW_STIFFNESS FREQ_LONG FREQ_LAT FREQ_YAW FREQ_WINDUP DAMP_LONG DAMP_LAT DAMP_YAW "
+    "DAMP_WINDUP DAMP_RESIDUAL DAMP_VLOW Q_BVX Q_BVT PCMZ1 BELT_DYNAMICS MBELT QTZ1 LGYR DYNAMIC_STIFFNESS "
+    "DYNAMIC_DAMPING",
+    "contact patch and uneven road": "Q_RA1 Q_RA2 Q_RB1 Q_RB2 ELLIPS_SHIFT ELLIPS_LENGTH ELLIPS_HEIGHT ELLIPS_ORDER "
+    "ELLIPS_MAX_STEP ELLIPS_NWIDTH ELLIPS_NLENGTH ENV_C1 ENV_C2 CONTACT_MODEL",
+    "loaded radius with camber": "Q_CAM Q_CAM1 Q_CAM2 Q_CAM3 Q_FCY2 Q_FYS1 Q_FYS2 Q_FYS3 MC_CONTOUR_A MC_CONTOUR_B",
+    "contact of the rim": "BOTTOM_OFFST BOTTOM_STIFF BOTTOMING_RADIUS",
+    "PAC2002's own additions": "PTX4 PTY3 LKG LCZ LIP QPX1 QPZ1 QPZ2 FE_METHOD",
+    "ply steer": "PLYSTEER",
+}
+SUBJECT_OF: Mapping[str, str] = {key: subject for subject, keys in NOT_MODELLED.items() for key in keys.split()}
+
+# coefficients that only shape a term, and the terms' own: without those they say nothing
+SHAPE_OF: Mapping[str, tuple[str, ...]] = {
+    "QSX4": ("QSX7", "QSX8"),
+    "QSX5": ("QSX7", "QSX8"),
+    "QSX6": ("QSX7", "QSX8"),
+    "QSX9": ("QSX8",),
+    "QSX11": ("QSX10",),
+}
+
+
+def fields_of(version: type[Tyre]) -> dict[str, "dataclasses.Field[Any]"]:
+    """The numbers of a version by name: coefficients and limits."""
+    return {item.name: item for item in dataclasses.fields(version) if item.name in SECTION_OF}
+
+
+def unit_of(item: "dataclasses.Field[Any]") -> str:
+    """The unit that a file's [UNITS] bear on; empty for pure numbers.
+
+    Coefficients of the equations are in rad, N and m whatever the file's units are.
+    """
+    if is_coefficient(item.name):
+        return ""
+    return str(item.metadata.get("limit_unit", item.metadata.get("unit", "")))
+
+
+def is_coefficient(name: str) -> bool:
+    """Whether a number of a tyre is a coefficient of the equations of its forces."""
+    return SECTION_OF[name].endswith("COEFFICIENTS")

@@ -1,0 +1,103 @@
+"""Keys of a .tir file that are no numbers of its tyre: left out with a note, or a mistake."""
+
+import difflib
+from collections.abc import Iterable
+from itertools import groupby
+from typing import Any
+
+from eom.tyre.mf_coefficients import MagicFormula52, MagicFormula61
+from eom.tyre.tir_keys import HEADERS, SECTIONS, SHAPE_OF, SUBJECT_OF, WITHOUT_MEANING, Tyre, fields_of, is_coefficient
+from eom.tyre.tir_text import Entry, TirText, number, shown
+
+MAX_GUESSES, MAX_LISTED = 50, 30
+NAMES: dict[type[Tyre], str] = {MagicFormula61: "the Magic Formula 6.1", MagicFormula52: "the Magic Formula 5.2"}
+WORDS_FOR_NONE = frozenset({"", "NO", "FALSE", "DEFAULT", "NONE"})
+
+
+def read_leftovers(text: TirText, version: type[Tyre], entries: list[Entry]) -> frozenset[str]:
+    """Report and note what is no number of the version; give the names that mistyped keys probably mean."""
+    other = MagicFormula52 if version is MagicFormula61 else MagicFormula61
+    foreign = fields_of(other)
+    noted: list[tuple[str, Entry]] = []
+    strange: list[Entry] = []
+    for entry in entries:
+        if entry.key in foreign:
+            default: Any = foreign[entry.key].default
+            if says_nothing(entry, default):
+                continue
+            if is_coefficient(entry.key) and not is_idle(entry, entries):
+                what = f"belongs to {NAMES[other]} and would be ignored: set it to {default:g}, or change FITTYP"
+                text.report_key(entry, what)
+            else:
+                noted.append((f"not part of {NAMES[version]}", entry))
+        elif entry.key in SUBJECT_OF:
+            if not says_nothing(entry, float(entry.key.startswith("L"))):
+                noted.append((f"not modelled: {SUBJECT_OF[entry.key]}", entry))
+        elif entry.section not in SECTIONS:
+            noted.append(("unknown section, not read", entry))
+        elif entry.key not in WITHOUT_MEANING:
+            strange.append(entry)
+    meant = report_strange(text, version, strange, noted)
+    add_notes(text, noted)
+    return meant
+
+
+def report_strange(
+    text: TirText, version: type[Tyre], strange: list[Entry], noted: list[tuple[str, Entry]]
+) -> frozenset[str]:
+    """Report unknown keys among coefficients, and beside them those that resemble a known one; note the others."""
+    known, meant = list(fields_of(version)), set[str]()
+    for count, entry in enumerate(strange):
+        among_coefficients = entry.section.endswith("COEFFICIENTS")
+        # comparing is slow, and a file of unknown keys needs no help with each
+        close = (
+            difflib.get_close_matches(entry.key, known, n=1, cutoff=0.6 if among_coefficients else 0.85)
+            if count < MAX_GUESSES
+            else []
+        )
+        if close or among_coefficients:
+            text.report_key(entry, f"unknown key{f'; did you mean {close[0]}?' if close else ''}")
+            meant.update(close)
+        else:
+            noted.append(("unknown, not read", entry))
+    return frozenset(meant)
+
+
+def says_nothing(entry: Entry, neutral: float) -> bool:
+    """Whether a key has the value that it would have if it were not there."""
+    value = number(entry.value)
+    if value is None:
+        return entry.value.upper() in WORDS_FOR_NONE
+    return value == neutral or (value == 0 and not entry.key.startswith("L"))
+
+
+def is_idle(entry: Entry, entries: list[Entry]) -> bool:
+    """Whether a coefficient only shapes a term that is zero."""
+    terms = SHAPE_OF.get(entry.key)
+    return terms is not None and all(number(item.value) == 0 for item in entries if item.key in terms)
+
+
+def add_notes(text: TirText, noted: list[tuple[str, Entry]]) -> None:
+    """One note for the keys of each section that are left out for the same reason."""
+    ordered = sorted(noted, key=lambda item: (item[1].section, item[0], item[1].line))
+    for (section, reason), items in groupby(ordered, key=lambda item: (item[1].section, item[0])):
+        entries = [entry for _, entry in items]
+        text.note((entries[0].line, entries[0].column), section, f"{reason} ({listed(e.key for e in entries)})")
+
+
+def read_rows(text: TirText) -> None:
+    """Report lines that are neither section nor key in sections of keys; note tables of the others."""
+    for section, rows in text.rows.items():
+        line, column, _ = rows[0]
+        if section in SECTIONS or section == "UNITS":
+            for *place, content in rows:
+                text.report((place[0], place[1]), section, f"expected KEY = value, got {shown(content)}")
+        elif section not in HEADERS:
+            text.note((line, column), section, f"not modelled: a table of {len(rows)} lines")
+
+
+def listed(names: Iterable[str]) -> str:
+    """Names with commas, the first ones of many."""
+    every = [shown(name).strip("'") for name in names]
+    more = f" and {len(every) - MAX_LISTED} more" if len(every) > MAX_LISTED else ""
+    return ", ".join(every[:MAX_LISTED]) + more
