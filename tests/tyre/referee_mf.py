@@ -30,7 +30,7 @@ Mz point the other way: its positive My resists rolling just as the negative one
 """
 
 from collections.abc import Callable, Mapping
-from math import atan, cos, exp, hypot, pi, sin, sqrt, tan
+from math import atan, copysign, cos, exp, hypot, pi, pow, sin, sqrt, tan
 from typing import NamedTuple
 
 Coefficients = Mapping[str, float]
@@ -60,6 +60,9 @@ class Point(NamedTuple):
         return self._replace(gamma=0.0, g=0.0)
 
 
+Pointer = Callable[[Coefficients, float, float, float, float, float], Point]
+
+
 class Side(NamedTuple):
     """The pure lateral force and the factors that other equations take from it."""
 
@@ -82,7 +85,7 @@ class Aligning(NamedTuple):
 
 
 def sign(x: float) -> float:
-    return float((x > 0) - (x < 0))
+    return copysign(1.0, x) if x else 0.0
 
 
 def bent(B: float, C: float, E: float, x: float) -> float:
@@ -204,12 +207,12 @@ def rolling_resistance(c: Coefficients, p: Point, Fx: float, front: float) -> fl
     speed, load = p.speed / c["LONGVL"], p.Fz / c["FNOMIN"]
     share = c["QSY1"] + c["QSY2"] * Fx / c["FNOMIN"] + c["QSY3"] * abs(speed) + c["QSY4"] * speed**4
     share += (c["QSY5"] + c["QSY6"] * load) * p.gamma**2
-    powers = load ** c["QSY7"] * (c["INFLPRES"] / c["NOMPRES"]) ** c["QSY8"]
+    powers = pow(load, c["QSY7"]) * pow(c["INFLPRES"] / c["NOMPRES"], c["QSY8"])
     return -front * c["UNLOADED_RADIUS"] * share * powers * c["LMY"]
 
 
 def trail(c: Coefficients, p: Point, own: Aligning, ratio: float) -> float:
-    """t (4.E33 to 4.E35, 4.E41, 4.E44, 4.E73)."""
+    """The trail t (4.E33 to 4.E35, 4.E41, 4.E44, 4.E73)."""
     at = p.a + c["QHZ1"] + c["QHZ2"] * p.dfz + (c["QHZ3"] + c["QHZ4"] * p.dfz) * p.g
     C = c["QCZ1"]
     E = c["QEZ1"] + c["QEZ2"] * p.dfz + c["QEZ3"] * p.dfz**2
@@ -242,7 +245,7 @@ def trail_factors(c: Coefficients, p: Point) -> tuple[float, float]:
 
 
 def arm(c: Coefficients, p: Point, relative_force: float) -> float:
-    """s (A56, 4.E76)."""
+    """The arm s (A56, 4.E76)."""
     camber = (c["SSZ3"] + c["SSZ4"] * p.dfz) * p.g
     return c["UNLOADED_RADIUS"] * (c["SSZ1"] + c["SSZ2"] * relative_force + camber) * c["LS"]
 
@@ -295,9 +298,9 @@ def stiffnesses_61(c: Coefficients, Fz: float) -> tuple[float, float, float]:
     return slip_stiffness(c, p), cornering_stiffness(c, p), camber_stiffness(c, p)
 
 
-def relaxation_61(c: Coefficients, Fz: float, gamma: float) -> tuple[float, float]:
-    """Longitudinal and lateral relaxation length [m] of the tool (paper, equations 17 to 19)."""
-    p = tool_point(c, 0.0, 0.0, Fz, gamma, c["LONGVL"])
+def relaxation_61(c: Coefficients, Fz: float, gamma: float, point: Pointer = tool_point) -> tuple[float, float]:
+    """Longitudinal and lateral relaxation length [m] (paper, equations 17 to 19), camber as *point* takes it."""
+    p = point(c, 0.0, 0.0, Fz, gamma, c["LONGVL"])
     x, y = (
         c[name] * (1 + c[f"{k}1"] * p.dfz + c[f"{k}2"] * p.dfz**2) * (1 + c[f"{k}3"] * p.dpi)
         for name, k in (("LONGITUDINAL_STIFFNESS", "PCFX"), ("LATERAL_STIFFNESS", "PCFY"))
