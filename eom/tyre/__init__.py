@@ -8,12 +8,13 @@ from eom.tyre.magic_formula import MagicFormula as MagicFormula
 from eom.tyre.mf.relaxation import Relaxation as Relaxation
 from eom.tyre.mf.relaxation import relaxation_lengths as relaxation_lengths
 from eom.tyre.mf_coefficients import MagicFormula52 as MagicFormula52
-from eom.tyre.mf_coefficients import MagicFormula61
+from eom.tyre.mf_coefficients import MagicFormula61 as MagicFormula61
 from eom.tyre.slip import slip_of_thesis as slip_of_thesis
 from eom.tyre.slip import slips as slips
 from eom.tyre.slip import thesis_slip as thesis_slip
 from eom.tyre.slopes import Slopes as Slopes
 from eom.tyre.slopes import slopes as slopes
 from eom.tyre.stack import stack as stack
-from eom.tyre.tir import TirFile, read_tir
-from eom.tyre.tir_write import write_tir
+from eom.tyre.tir import TirFile as TirFile
+from eom.tyre.tir import read_tir as read_tir
+from eom.tyre.tir_write import write_tir as write_tir
