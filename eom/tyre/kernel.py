@@ -106,7 +106,7 @@ def compiled(function: Any) -> Any:
     """A function as machine code that is inlined where it is called, and with it all that it calls."""
     names = {name: compiled(called) for name, called in calls(function)}
     plain = FunctionType(function.__code__, {**function.__globals__, **names}, function.__name__)
-    return numba().njit(forceinline=True, error_model="numpy")(plain)
+    return numba().njit(forceinline=True, error_model="numpy", fastmath={"contract"})(plain)
 
 
 @functools.cache
@@ -114,24 +114,27 @@ def compiled_loop(formula: Formula, names: tuple[str, ...]) -> Any:
     """``run(table, arguments, out)`` of `Kernel` for a formula that reads the named coefficients."""
     njit = numba().njit
     Coefficients = NamedTuple("Coefficients", [(name, float) for name in names])  # type: ignore[misc]
-    values = ", ".join(f"block[{k * LANES} + lane]" for k in range(len(names)))
-    space: dict[str, Any] = {"Coefficients": Coefficients}
+    # unsigned, an index cannot count from the end, which would have to be asked for each of them
+    rows = [np.uint64(k * LANES) for k in range(max(len(names), len(ARGUMENTS)))]
+    space: dict[str, Any] = {"Coefficients": Coefficients, **{f"row_{k}": row for k, row in enumerate(rows)}}
+    values = ", ".join(f"block[row_{k} + lane]" for k in range(len(names)))
     # a tuple of so many elements can only be written out
     exec(f"def coefficients(block, lane):\n    return Coefficients({values})", space)  # noqa: S102
     coefficients = njit(forceinline=True)(space["coefficients"])
     forces = compiled(formula)
 
+    _, row_1, row_2, row_3, row_4 = rows[: len(ARGUMENTS)]
+
     def block_forces(block: Any, x: Any, y: Any, count: int) -> None:
-        for lane in range(count):
-            p = coefficients(block, lane)
-            Fx, Fy, Mx, My, Mz = forces(
-                p, x[lane], x[LANES + lane], x[2 * LANES + lane], x[3 * LANES + lane], x[4 * LANES + lane]
-            )
+        for index in range(count):
+            lane = np.uint64(index)
+            arguments = x[lane], x[row_1 + lane], x[row_2 + lane], x[row_3 + lane], x[row_4 + lane]
+            Fx, Fy, Mx, My, Mz = forces(coefficients(block, lane), *arguments)
             y[lane] = Fx
-            y[LANES + lane] = Fy
-            y[2 * LANES + lane] = Mx
-            y[3 * LANES + lane] = My
-            y[4 * LANES + lane] = Mz
+            y[row_1 + lane] = Fy
+            y[row_2 + lane] = Mx
+            y[row_3 + lane] = My
+            y[row_4 + lane] = Mz
 
     inner = njit(error_model="numpy")(block_forces)
 

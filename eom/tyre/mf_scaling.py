@@ -22,8 +22,10 @@ class Scaling:
     LKY: Values = coefficient("scales the cornering stiffness", default=1.0, above=0)
     LHY: Values = coefficient("scales the horizontal shift of Fy", default=1.0)
     LVY: Values = coefficient("scales the vertical shift of Fy", default=1.0)
+    LKYC: Values = coefficient("scales the lateral force by camber", default=1.0)
     LTR: Values = coefficient("scales the pneumatic trail", default=1.0)
     LRES: Values = coefficient("scales the residual moment at zero camber", default=1.0)
+    LKZC: Values = coefficient("scales the aligning moment by camber", default=1.0)
     LXAL: Values = coefficient("scales the effect of the slip angle on Fx", default=1.0)
     LYKA: Values = coefficient("scales the effect of longitudinal slip on Fy", default=1.0)
     LVYKA: Values = coefficient("scales the lateral force that longitudinal slip causes", default=1.0)
@@ -37,8 +39,6 @@ class Scaling:
 class Scaling61(Scaling):
     """Section [SCALING_COEFFICIENTS] of MF 6.1."""
 
-    LKYC: Values = coefficient("scales the lateral force by camber", default=1.0)
-    LKZC: Values = coefficient("scales the aligning moment by camber", default=1.0)
     LMUV: Values = coefficient(
         "loss of friction with slip speed, in units of LONGVL; only in the book's form", default=0.0
     )

@@ -8,7 +8,7 @@ from eom.errors import TyreError
 from eom.tyre.elementary import arctan, exp, magnitude, sin
 from eom.tyre.mf.lateral import cornering_stiffness_61
 from eom.tyre.mf.longitudinal import slip_stiffness
-from eom.tyre.mf.state import State, tool_state
+from eom.tyre.mf.state import State, book_state, tool_state
 from eom.tyre.mf_coefficients import MagicFormula52, MagicFormula61
 from eom.tyre.parameters import Values
 
@@ -32,8 +32,10 @@ def relaxation_lengths(tyre: MagicFormula61 | MagicFormula52, Fz: Values, gamma:
     TyreError
         If a version 6.1 tyre does not know its carcass's stiffness.
     """
-    s = tool_state(tyre, 0.0, 0.0, np.asarray(Fz), np.asarray(tyre.hand * gamma), tyre.LONGVL)
-    return relaxation_52(tyre, s) if isinstance(tyre, MagicFormula52) else relaxation_61(tyre, s)
+    point = 0.0, 0.0, np.asarray(Fz), np.asarray(tyre.hand * gamma), tyre.LONGVL
+    if isinstance(tyre, MagicFormula52):
+        return relaxation_52(tyre, tool_state(tyre, *point))
+    return relaxation_61(tyre, (tool_state if tyre.form == "tool" else book_state)(tyre, *point))
 
 
 def relaxation_61(tyre: MagicFormula61, s: State) -> Relaxation:
