@@ -55,7 +55,8 @@ def branch(curve: Curve, end: float, shape: tuple[int, ...]) -> Branch:
     grid = end * GRID.reshape(-1, *(1 for _ in shape))
     slope = slope_of(curve, grid)
     count = np.arange(GRID.size).reshape(grid.shape)
-    steepest = np.argmax(np.abs(slope), axis=0)
+    # over the tangent of the slip: the book's Magic Formula and Dugoff's tyre are curves of that
+    steepest = np.argmax(np.abs(slope) * np.cos(0.5 * np.pi * grid / end) ** 2, axis=0)
     direction = np.sign(np.take_along_axis(slope, steepest[np.newaxis], axis=0))
     # the nearest places on both sides where the force goes back
     back = slope * direction <= 0.0
@@ -82,7 +83,7 @@ def root(function: Curve, lower: Array, upper: Array, tolerance: float = 0.0) ->
     """
     from scipy.optimize import elementwise  # noqa: PLC0415  slow to import
 
-    whole = np.array(lower)
+    whole = np.array(lower, order="C")
 
     def some(values: Array, places: Array) -> Array:
         whole.reshape(-1)[places] = values

@@ -57,15 +57,16 @@ def slip_angle_for(
     def lateral(alpha: Array) -> Array:
         return np.asarray(tyre.forces(alpha, kappa, Fz, gamma, speed).Fy)
 
-    way = branch(lateral, 0.5 * np.pi, shape)
+    way = branch(lateral, 0.5 * np.pi, np.shape(start))
     if np.any(way.rises):
         raise TyreError(
             "the lateral force grows with the slip angle: expected coefficients for ISO axes, in which it falls; "
             "turn the signs of coefficients that are for other axes"
         )
-    most, least = lateral(way.ends)
+    ends = [np.broadcast_to(end, shape) for end in way.ends]
+    most, least = (lateral(end) for end in ends)
     saturated = (demand < least) | (demand > most)
-    inside = root(lambda alpha: lateral(alpha) - demand, *way.ends)
-    nearest = np.where(most - demand < demand - least, *way.ends)
+    inside = root(lambda alpha: lateral(alpha) - demand, ends[0], ends[1])
+    nearest = np.where(most - demand < demand - least, *ends)
     # within rounding of a peak the search may see no change of sign
     return SlipAngle(np.where(saturated | np.isnan(inside), nearest, inside), saturated)
