@@ -8,12 +8,13 @@ from collections.abc import Mapping, Sequence
 from typing import Any, Generic, TypeVar
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from eom.errors import TyreError
 from eom.tyre.fit_data import Points, points_of
 from eom.tyre.fit_quality import Residual, at_bounds, residuals_of, scales_of, uncertainty
 from eom.tyre.interface import Tyre
-from eom.tyre.parameters import Values, coefficients
+from eom.tyre.parameters import coefficients
 from eom.tyre.slopes import STEP, derivative
 
 T = TypeVar("T", bound=Tyre)
@@ -53,7 +54,7 @@ class Fit(Generic[T]):
     warnings: tuple[str, ...]
 
 
-def fit(tyre: T, data: Mapping[str, Values], names: Sequence[str]) -> Fit[T]:
+def fit(tyre: T, data: Mapping[str, ArrayLike], names: Sequence[str]) -> Fit[T]:
     """Fit named coefficients of a tyre to measured points; the others stay as they are.
 
     Least squares of forces over load and of moments over load times a decimetre, the load being the root mean

@@ -4,10 +4,10 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from eom.errors import TyreError
 from eom.tyre.interface import ARGUMENTS, REFERENCE_SPEED, Forces
-from eom.tyre.parameters import Values
 
 Array = np.ndarray[Any, Any]
 DEFAULTS = {"alpha": 0.0, "kappa": 0.0, "gamma": 0.0, "speed": REFERENCE_SPEED}
@@ -20,7 +20,7 @@ class Points(NamedTuple):
     channels: dict[str, Array]
 
 
-def points_of(data: Mapping[str, Values]) -> Points:
+def points_of(data: Mapping[str, ArrayLike]) -> Points:
     """Columns by name as points; raises `TyreError` with a sentence for everything that is wrong with them."""
     known = (*ARGUMENTS, *Forces._fields)
     wrong = [f"column {name!r} is not known: expected some of {', '.join(known)}" for name in data if name not in known]
@@ -45,7 +45,7 @@ def points_of(data: Mapping[str, Values]) -> Points:
     return Points(arguments, {name: columns[name] for name in Forces._fields if name in columns})
 
 
-def missing(data: Mapping[str, Values]) -> list[str]:
+def missing(data: Mapping[str, ArrayLike]) -> list[str]:
     """Sentences for columns that have to be there."""
     wrong = []
     if "Fz" not in data:

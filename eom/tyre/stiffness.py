@@ -3,17 +3,17 @@
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from eom.errors import TyreError
 from eom.tyre.contact import LIFT
 from eom.tyre.magic_formula import MagicFormula
-from eom.tyre.parameters import Values
 
 NAMES = ("", "_load", "_load2")
 Array = np.ndarray[Any, Any]
 
 
-def fit_stiffness(loads: Values, cornering: Values, longitudinal: Values, **others: Any) -> MagicFormula:
+def fit_stiffness(loads: ArrayLike, cornering: ArrayLike, longitudinal: ArrayLike, **others: Any) -> MagicFormula:
     """A Magic Formula tyre whose slopes at zero slip are given ones at one to three loads, exactly.
 
     Stiffness per load is the polynomial of least degree through the given points: constant for one load, a parabola
@@ -60,7 +60,7 @@ def fit_stiffness(loads: Values, cornering: Values, longitudinal: Values, **othe
     return MagicFormula(nominal_load=nominal, **fitted, **others)
 
 
-def columns(points: dict[str, Values]) -> list[Array]:
+def columns(points: dict[str, ArrayLike]) -> list[Array]:
     """The points as arrays of one length."""
     try:
         arrays = [np.atleast_1d(np.asarray(values, dtype=float)) for values in points.values()]
