@@ -67,6 +67,8 @@ def branch(curve: Curve, end: float, shape: tuple[int, ...]) -> Branch:
     upper = end * GRID[np.stack([below + 1, np.minimum(above, GRID.size - 1)])]
     found = root(lambda slip: slope_of(curve, slip), lower, upper, AT_PEAK)
     ends = np.where(peaks, found, np.stack([lower[0], upper[1]]))
+    # rounding bends a curve without a peak at the very end of the range
+    peaks &= np.abs(ends) < (1.0 - 1e-6) * end
     still = direction[0] == 0.0
     return Branch(np.where(still, 0.0, ends), direction[0] > 0.0, peaks & ~still)
 

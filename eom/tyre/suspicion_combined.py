@@ -53,6 +53,11 @@ def meets(tyre: Any) -> bool:
     )
 
 
+def weighs(tyre: Any) -> bool:
+    """Whether each force is weighted by the other slip."""
+    return meets(tyre) and hasattr(tyre, "RBX1") and getattr(tyre, "combined", "cosine") == "cosine"
+
+
 def uncombined(tyre: Any) -> Iterator[str]:
     """Forces that know nothing of each other."""
     if getattr(tyre, "use", "combined") == "uncombined":
@@ -69,7 +74,7 @@ def no_weight(tyre: Any) -> Iterator[str]:
         ("lateral", "longitudinal slip", ("RBY1", "RCY1")),
     ):
         zero = [name for name in names if getattr(tyre, name, 1.0) == 0.0]
-        if zero and meets(tyre) and getattr(tyre, "combined", "cosine") == "cosine":
+        if zero and weighs(tyre):
             yield f"{told(tyre, *zero)}: the {slip} takes nothing from the {force} force"
 
 
@@ -117,7 +122,7 @@ def deepest_dent(grid: Grid) -> tuple[float, Array]:
 
 def weight(tyre: Any) -> Iterator[str]:
     """Weighting of a force by the other slip that turns its sign or makes it larger."""
-    if not meets(tyre):
+    if not weighs(tyre):
         return
     # the side force that longitudinal slip brings of itself is no weighting
     plain = dataclasses.replace(tyre, RVY1=0.0, RVY2=0.0, RVY3=0.0) if hasattr(tyre, "RVY1") else tyre
