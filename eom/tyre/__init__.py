@@ -3,6 +3,8 @@
 from eom.tyre.dugoff import Dugoff as Dugoff
 from eom.tyre.interface import Forces as Forces
 from eom.tyre.interface import Tyre as Tyre
+from eom.tyre.kernel import Kernel as Kernel
+from eom.tyre.kernel import compile_forces as compile_forces
 from eom.tyre.linear import Linear as Linear
 from eom.tyre.magic_formula import MagicFormula as MagicFormula
 from eom.tyre.mf.relaxation import Relaxation as Relaxation

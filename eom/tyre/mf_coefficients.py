@@ -45,7 +45,7 @@ class Mounting(Model, Dimension, LongSlipRange, SlipAngleRange, InclinationAngle
     ----------
     side : "left", "right" or None
         The side of the vehicle that the coefficients are for; None if they are for both, or if it is not known.
-    mirror : bool
+    mirror : bool, or array of them
         Whether the forces are those of the mirrored tyre.
     use : "longitudinal", "lateral", "uncombined" or "combined"
         Which forces act: Fx and My; Fy, Mx and Mz; all, without or with interaction of the slips.
@@ -59,7 +59,7 @@ class Mounting(Model, Dimension, LongSlipRange, SlipAngleRange, InclinationAngle
         check_bounds(self)
         name = type(self).__name__
         wrong = [f"{name}: {key} = {getattr(self, key)}: {what}" for key, what in range_problems(self, vars(self))]
-        choices = {"side": (None, *get_args(Side)), "mirror": (False, True), "use": get_args(Use)}
+        choices = {"side": (None, *get_args(Side)), "use": get_args(Use)}
         wrong += [
             f"{name}: {key} = {getattr(self, key)!r}: expected one of {', '.join(map(repr, known))}"
             for key, known in choices.items()
