@@ -21,7 +21,8 @@ def read_leftovers(text: TirText, version: type[Tyre], entries: list[Entry], sai
     *said* are the names of the numbers that are in the file.
     """
     other = MagicFormula52 if version is MagicFormula61 else MagicFormula61
-    foreign = fields_of(other)
+    fields = fields_of(version)
+    foreign = {name: item for name, item in fields_of(other).items() if name not in fields}
     acting = {entry.key for entry in entries if number(entry.value) != 0}
     noted: list[tuple[str, Entry]] = []
     strange: list[Entry] = []
@@ -43,7 +44,6 @@ def read_leftovers(text: TirText, version: type[Tyre], entries: list[Entry], sai
             noted.append(("unknown section, not read", entry))
         elif entry.key not in WITHOUT_MEANING:
             strange.append(entry)
-    fields = fields_of(version)
     # of names that are alike, one that has to be given is meant
     names = sorted(fields.keys() - set(said), key=lambda name: (fields[name].default is not MISSING, name))
     meant, unknown = report_strange(text, strange, names)
