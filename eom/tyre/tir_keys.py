@@ -2,6 +2,7 @@
 
 import dataclasses
 from collections.abc import Mapping
+from functools import cache
 from typing import Any
 
 from eom.tyre import mf_conditions, mf_forces, mf_moments, mf_ranges, mf_scaling
@@ -84,7 +85,8 @@ SHAPE_OF: Mapping[str, tuple[str, ...]] = {
 }
 
 
-def fields_of(version: type[Tyre]) -> dict[str, "dataclasses.Field[Any]"]:
+@cache
+def fields_of(version: type[Tyre]) -> Mapping[str, "dataclasses.Field[Any]"]:
     """The numbers of a version by name: coefficients and limits."""
     return {item.name: item for item in dataclasses.fields(version) if item.name in SECTION_OF}
 

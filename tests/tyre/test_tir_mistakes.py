@@ -6,16 +6,18 @@ from pathlib import Path
 from typing import Self
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
-from eom.errors import DescriptionError
+from eom.errors import DescriptionError, Mistake
 from eom.tyre import read_tir
 from eom.tyre.tir import MAX_BYTES, read_text
 from eom.tyre.tir_tyre import MAX_MISTAKES
+from tests.tyre.tir_samples import NEWER, PASSENGER_CAR
 
 FOLDER = Path(__file__).parent / "bad_tir"
 FILES = sorted(FOLDER.glob("*.tir"))
 EXPECT = re.compile(r"\ufeff?\$ expect (\d+):(\d+) (.+)")
-GOOD = Path(__file__).parents[2] / "vehicles" / "tyres" / "passenger_car.tir"
 
 
 def expected(file: Path) -> list[tuple[int, int, str]]:
@@ -42,7 +44,7 @@ def test_a_bad_file_gives_exactly_its_mistakes(file: Path) -> None:
 
 
 def test_a_mistake_names_section_and_key() -> None:
-    text = GOOD.read_text(encoding="utf-8").replace("= 4000 ", "= -1 ")
+    text = PASSENGER_CAR.read_text(encoding="utf-8").replace("= 4000 ", "= -1 ")
     line = text[: text.index("FNOMIN")].count("\n") + 1
     with pytest.raises(DescriptionError, match=rf"^car:{line}:28: VERTICAL\.FNOMIN: expected more than 0 N"):
         read_text(text, "car")
@@ -143,3 +145,18 @@ def test_of_very_many_mistakes_the_number_is_told() -> None:
     with pytest.raises(DescriptionError, match=r"and 404 more mistakes from here on"):
         # 500 unknown keys, and four sections that lack coefficients, of which the first 100 are told
         read_text(text, "many")
+
+
+PIECES = """[MODEL] [UNITS] [VERTICAL] [LATERAL_COEFFICIENTS] [ [] ] = $ ! { ' " 61 6 1.5 -2D3 1e399 nan mm kN FITTYP
+USE_MODE TYRESIDE LENGTH FNOMIN PKY1 PKY2 PHY3 LFZ0 QSX4 FZMAX INFLPRES PAC2002 FORM book"""
+
+
+@given(st.lists(st.sampled_from([*PIECES.split(), "\n", "\n", " = "]) | st.characters(max_codepoint=255), max_size=60))
+def test_any_text_is_a_tyre_or_a_list_of_mistakes(pieces: list[str]) -> None:
+    for text in (" ".join(pieces), NEWER + "\n".join(pieces)):
+        mistakes: tuple[Mistake, ...] = ()
+        try:
+            assert read_text(text, "any").tyre.FNOMIN > 0
+        except DescriptionError as error:
+            mistakes = error.mistakes
+        assert all(0 < mistake.line <= len(text) + 1 for mistake in mistakes)
