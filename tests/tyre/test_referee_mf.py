@@ -8,8 +8,9 @@ from scipy.optimize import minimize_scalar
 
 from tests.tyre.plain_sets import BOOK_DEFAULTS, as_61, filled
 from tests.tyre.random_sets import State, random_set_52, random_set_61, random_states
-from tests.tyre.referee_mf import Wrench, book_61, relaxation_61, stiffnesses_61, tool_61
+from tests.tyre.referee_mf import Wrench, book_61, tool_61
 from tests.tyre.referee_mf52 import stiffnesses_52, tool_52
+from tests.tyre.referee_mf_forces import relaxation_61, stiffnesses_61
 
 Numbers = dict[str, float]
 FORMS: dict[str, tuple[Callable[[int], Numbers], Callable[..., Wrench], Callable[..., tuple[float, float, float]]]] = {
