@@ -13,7 +13,8 @@ import pytest
 
 from tests.tyre.random_sets import State, random_set_52, random_set_61
 from tests.tyre.referee_mf import book_61, tool_61
-from tests.tyre.referee_mf52 import tool_52
+from tests.tyre.referee_mf52 import relaxation_52, tool_52
+from tests.tyre.referee_mf_forces import relaxation_61
 
 STATES = (
     State(0.05, 0.02, 4200.0, -0.03, 20.0),
@@ -33,6 +34,19 @@ FITTYP_6 = (
     (4856.34441172, -3446.1419863, -254.4112305963, -49.41604194788, -95.6364586704),
     (-1215.471187151, -5.597689388102, 32.39711897158, -4.892261722884, -4.448582916429),
 )
+LENGTHS_61 = (
+    (0.3552973655477, 0.4965476627285),
+    (0.2075705815543, 0.3207193246254),
+    (0.6034631262128, 0.6068462860596),
+    (0.09791035142477, 0.1586228203106),
+)
+LENGTHS_6 = (
+    (0.5432433382268, 0.4742742827612),
+    (0.3284955299335, 0.3502508921656),
+    (0.8714604320143, 0.565003566394),
+    (0.1588697582857, 0.1877093679373),
+)
+"""Relaxation lengths, longitudinal and lateral."""
 BOOK = (
     (1909.247221017, -3200.879286116, 75.28044932123),
     (-1247.357004782, 2731.692619255, -6.560249888097),
@@ -57,6 +71,13 @@ def test_magic_formula_52_gives_the_numbers_of_mfeval() -> None:
     tyre = random_set_52(0) | {"LGAX": 1.0, "LGAY": 1.0, "LGAZ": 1.0, "PDY3": 0.0}
     for state, expected in zip(STATES, FITTYP_6, strict=True):
         assert tool_52(tyre, *state) == same(expected)
+
+
+def test_relaxation_lengths_are_those_of_mfeval() -> None:
+    new, old = random_set_61(0), random_set_52(0) | {"LGAY": 1.0}
+    for state, lengths_61, lengths_6 in zip(STATES, LENGTHS_61, LENGTHS_6, strict=True):
+        assert relaxation_61(new, state.Fz, state.gamma) == same(lengths_61)
+        assert relaxation_52(old, state.Fz, state.gamma) == same(lengths_6)
 
 
 def test_magic_formula_61_of_the_book_gives_the_numbers_of_enve() -> None:
