@@ -4,7 +4,7 @@ Tool and 5.2: the lines of Solver.m of MFeval 4.0 (M. Furlan Tassara, File Excha
 6.1.2, with its guards against zero denominators (1e-6) set to zero. For FITTYP 6 it knows no LGAX, LGAY, LGAZ and takes
 SVyk with the friction of the upright wheel, so those are 1 and PDY3 is 0 there.
 
-Book: the lines of the class for MF 6.2 in the tyre library of enve (D. Stocco, E. Bertolazzi), which was written from
+Book: the lines of the class for MF 6.2 in the tyre library of enve (D. Stocco), which was written from
 Pacejka (2012), again without guards. Three of its slips are put right: LKY and LYKA are exchanged on reading, Mzr has a
 second cosine, and Mx and My, which leave the book, are not taken.
 """
