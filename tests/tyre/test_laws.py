@@ -110,22 +110,41 @@ def test_the_combined_force_stays_inside_the_ellipse_of_its_peaks(tyre: Dugoff |
     assert np.max((found.Fx / (mu_x * Fz)) ** 2 + (found.Fy / (mu_y * Fz)) ** 2) <= 1.0 + 1e-13
 
 
-@given(nonlinear, loads)
-def test_the_forces_that_a_tyre_can_give_make_a_convex_set(tyre: Tyre, Fz: float) -> None:
+def dent(tyre: Tyre, Fz: float) -> float:
+    """How far the set of forces that a tyre can give stays inside its convex hull, at most, relative to the hull."""
     alpha = np.concatenate([np.linspace(0.0, 0.3, 120), np.linspace(0.3, 1.5, 60)[1:]])
     kappa = np.concatenate([np.linspace(-0.999, -0.3, 60), np.linspace(-0.3, 0.3, 160)[1:-1], np.linspace(0.3, 3, 60)])
     found = tyre.forces(alpha[:, None], kappa, Fz)
     x, y = np.ravel(found.Fx), -np.ravel(found.Fy)
     hull = ConvexHull(np.column_stack([x, y])).equations
     angle, reach = np.arctan2(y, x), np.hypot(x, y)
+    dents = []
     for low in np.arange(0.1, 3.0, 0.1):
-        inside = (angle >= low) & (angle < low + 0.1)
-        best = np.argmax(np.where(inside, reach, 0.0))
-        ray = np.array([np.cos(angle[best]), np.sin(angle[best])])
-        towards = hull[:, :2] @ ray
+        best = np.argmax(np.where((angle >= low) & (angle < low + 0.1), reach, 0.0))
+        towards = hull[:, :2] @ [np.cos(angle[best]), np.sin(angle[best])]
         edge = np.min(-hull[towards > 1e-9, 2] / towards[towards > 1e-9])
-        # 1 %: the grid of slips leaves gaps of that size along the edge; a friction square would miss by 29 %
-        assert reach[best] >= 0.99 * edge
+        dents.append(1.0 - reach[best] / edge)
+    return float(max(dents))
+
+
+@given(st.one_of(dugoff, ellipse), loads)
+def test_the_forces_that_a_tyre_can_give_make_a_convex_set(tyre: Tyre, Fz: float) -> None:
+    # the grid of slips leaves gaps of that size along the edge
+    assert dent(tyre, Fz) <= 0.01
+
+
+@given(st.one_of(cosine, plain_61()), loads)
+def test_with_usual_coefficients_cosine_weighting_makes_a_convex_set(tyre: Tyre, Fz: float) -> None:
+    # no law of the formula: its coefficients could make any shape; usual ones stay this near
+    assert dent(tyre, Fz) <= 0.03
+
+
+def test_forces_that_are_not_combined_make_a_square() -> None:
+    tyre = MagicFormula61(
+        FNOMIN=4e3, UNLOADED_RADIUS=0.3, PCX1=1.6, PDX1=1, PKX1=25, PCY1=1.4, PDY1=1, PKY1=-20, PKY2=2, use="uncombined"
+    )
+    found = tyre.forces(0.1, 0.07, 4e3)
+    assert np.hypot(found.Fx, found.Fy) > 1.35 * 4e3
 
 
 @given(nonlinear, st.floats(-0.5, 0.5), st.floats(0.0, 1.0), loads, st.floats(2.0, 40.0))
