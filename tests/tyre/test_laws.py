@@ -127,24 +127,19 @@ def dent(tyre: Tyre, Fz: float) -> float:
     return float(max(dents))
 
 
-@given(st.one_of(dugoff, ellipse), loads)
+@given(nonlinear, loads)
 def test_the_forces_that_a_tyre_can_give_make_a_convex_set(tyre: Tyre, Fz: float) -> None:
-    # the grid of slips leaves gaps of that size along the edge
-    assert dent(tyre, Fz) <= 0.01
-
-
-@given(st.one_of(cosine, plain_61()), loads)
-def test_with_usual_coefficients_cosine_weighting_makes_a_convex_set(tyre: Tyre, Fz: float) -> None:
-    # no law of the formula: its coefficients could make any shape; usual ones stay this near
-    assert dent(tyre, Fz) <= 0.03
+    # 1 % are gaps that the grid of slips leaves. No formula but Dugoff's is convex by law: curves that peak at different
+    # slips, or other weights, dent the set; usual coefficients by no more than 3 %, a square by 29 %
+    assert dent(tyre, Fz) <= (0.01 if isinstance(tyre, Dugoff) else 0.03)
 
 
 def test_forces_that_are_not_combined_make_a_square() -> None:
     tyre = MagicFormula61(
         FNOMIN=4e3, UNLOADED_RADIUS=0.3, PCX1=1.6, PDX1=1, PKX1=25, PCY1=1.4, PDY1=1, PKY1=-20, PKY2=2, use="uncombined"
     )
-    found = tyre.forces(0.1, 0.07, 4e3)
-    assert np.hypot(found.Fx, found.Fy) > 1.35 * 4e3
+    found = tyre.forces(0.15, 0.1, 4e3)
+    assert np.hypot(found.Fx, found.Fy) > 1.4 * 4e3
 
 
 @given(nonlinear, st.floats(-0.5, 0.5), st.floats(0.0, 1.0), loads, st.floats(2.0, 40.0))
