@@ -129,8 +129,8 @@ def dent(tyre: Tyre, Fz: float) -> float:
 
 @given(nonlinear, loads)
 def test_the_forces_that_a_tyre_can_give_make_a_convex_set(tyre: Tyre, Fz: float) -> None:
-    # 1 % are gaps that the grid of slips leaves. No formula but Dugoff's is convex by law: curves that peak at different
-    # slips, or other weights, dent the set; usual coefficients by no more than 3 %, a square by 29 %
+    # 1 % are gaps that the grid of slips leaves. No formula but Dugoff's is convex by law: curves that peak at
+    # different slips, or other weights, dent the set; usual coefficients by no more than 3 %, a square by 29 %
     assert dent(tyre, Fz) <= (0.01 if isinstance(tyre, Dugoff) else 0.03)
 
 
