@@ -158,11 +158,6 @@ def test_logarithm_is_exact_to_four_units_in_the_last_place(x: float) -> None:
     assert ulps(fast_elementary.log, mpmath.log, x) <= 4.0
 
 
-@given(st.floats(0.01, 10.0), st.floats(-3.0, 3.0))
-def test_power_is_exact_to_rounding(x: float, y: float) -> None:
-    assert fast_elementary.power(x, y) == pytest.approx(x**y, rel=1e-14)
-
-
 @given(st.floats(-10, 10), st.floats(-10, 10))
 def test_choices_and_signs_are_those_of_numpy(a: float, b: float) -> None:
     assert fast_elementary.maximum(a, b) == max(a, b)
