@@ -5,9 +5,9 @@ They replace those of `eom.tyre.elementary` by name. Errors are a few units in t
 
 References
 ----------
-Reductions are those of S. L. Moshier, Methods and Programs for Mathematical Functions, 1989. Coefficients: Taylor series of
-sine and exponential, Chebyshev interpolation of the arctangent on its reduced range to 5e-18, series of the inverse
-hyperbolic tangent for the logarithm.
+Reductions are those of S. L. Moshier, Methods and Programs for Mathematical Functions, 1989. Coefficients: Taylor
+series of sine and exponential, Chebyshev interpolation of the arctangent on its reduced range to 5e-18, series of the
+inverse hyperbolic tangent for the logarithm.
 """
 
 import math
