@@ -83,12 +83,7 @@ def fields_of(version: type[Tyre]) -> Mapping[str, "dataclasses.Field[Any]"]:
 
 
 def unit_of(item: "dataclasses.Field[Any]") -> str:
-    """The unit that a file's [UNITS] bear on; empty for pure numbers.
-
-    Coefficients of the equations are in rad, N and m whatever the file's units are.
-    """
-    if is_coefficient(item.name):
-        return ""
+    """The unit that a file's [UNITS] bear on; empty for pure numbers, as all coefficients of the equations are."""
     return str(item.metadata.get("limit_unit", item.metadata.get("unit", "")))
 
 

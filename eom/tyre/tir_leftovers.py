@@ -2,7 +2,6 @@
 
 import difflib
 from collections.abc import Collection, Iterable
-from dataclasses import MISSING
 from itertools import groupby
 from typing import Any
 
@@ -44,8 +43,8 @@ def read_leftovers(text: TirText, version: type[Tyre], entries: list[Entry], sai
             noted.append(("unknown section, not read", entry))
         elif entry.key not in WITHOUT_MEANING:
             strange.append(entry)
-    # of names that are alike, one that has to be given is meant
-    names = sorted(fields.keys() - set(said), key=lambda name: (fields[name].default is not MISSING, name))
+    # a mistyped key means a name that is not there
+    names = sorted(fields.keys() - set(said))
     meant, unknown = report_strange(text, strange, names)
     add_notes(text, noted + [("unknown, not read", entry) for entry in unknown])
     return meant

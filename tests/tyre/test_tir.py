@@ -71,7 +71,9 @@ def test_usual_spellings_of_numbers_and_lines_are_known(line: str, end: str) -> 
     assert read("\u00ef\u00bb\u00bf" + text).tyre == read(text).tyre
 
 
-@pytest.mark.parametrize("spelling", ["'RIGHT'", '"Right"', "right", "'right' $ comment", "  right ! comment"])
+@pytest.mark.parametrize(
+    "spelling", ["'RIGHT'", "' Right '", '"Right"', "right", "'right' $ comment", "  right ! comment"]
+)
 def test_quotes_hide_nothing_and_are_not_needed(spelling: str) -> None:
     assert read(NEWER.replace("61\n", f"61\nTYRESIDE = {spelling}\n")).tyre.side == "right"
 

@@ -64,7 +64,7 @@ def test_a_written_file_needs_no_notes_and_is_replaced_whole(tmp_path: Path) -> 
 def test_a_file_that_cannot_be_written_gets_a_sentence_and_leaves_nothing(tmp_path: Path) -> None:
     (tmp_path / "taken").mkdir()
     tyre = read_tir(PASSENGER_CAR).tyre
-    for path in (tmp_path / "taken", tmp_path / "no" / "folder.tir"):
+    for path in (tmp_path / "taken", tmp_path / "no" / "folder.tir", "a\0b"):
         with pytest.raises(TyreError, match="cannot be written: "):
             write_tir(tyre, path)
     assert [file.name for file in tmp_path.iterdir()] == ["taken"]
