@@ -22,6 +22,7 @@ PAGES = (
     "responses",
     "closed-form",
     "modes",
+    "tir-files",
 )
 BLOCK = re.compile(r"```(sh|python|yaml|text)\n(.*?)```", flags=re.DOTALL)
 ENVIRONMENT = {**os.environ, "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}", "COLUMNS": "200"}

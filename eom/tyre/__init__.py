@@ -6,6 +6,8 @@ from eom.tyre.fit import fit as fit
 from eom.tyre.interface import Forces as Forces
 from eom.tyre.interface import Tyre as Tyre
 from eom.tyre.inverse import slip_angle_for as slip_angle_for
+from eom.tyre.kernel import Kernel as Kernel
+from eom.tyre.kernel import compile_forces as compile_forces
 from eom.tyre.linear import Linear as Linear
 from eom.tyre.magic_formula import MagicFormula as MagicFormula
 from eom.tyre.mf.relaxation import Relaxation as Relaxation

@@ -54,16 +54,18 @@ def dugoff_forces(
 ) -> tuple[Any, ...]:
     """Fx, Fy, Mx, My, Mz of Dugoff's tyre.
 
-    With lambda = mu Fz (1 + kappa) / (2 R), R the resultant of the two linear forces, and m = min(lambda, 1), the
-    forces are C kappa/(1 + kappa) and -C tan(alpha)/(1 + kappa), each times m (2 - m). The factor 1 + kappa is
-    cancelled, so that a locked wheel is no special case. The trail falls with the share m (2 - m) that adheres.
+    Written for forward travel: with lambda = mu Fz (1 + kappa) / (2 R), R the resultant of the two linear forces, and
+    m = min(lambda, 1), the forces are C kappa/(1 + kappa) and -C tan(alpha)/(1 + kappa), each times m (2 - m). The
+    factor 1 + kappa is cancelled, so that a locked wheel is no special case. The trail falls with the share m (2 - m)
+    that adheres.
     """
     load, share = contact(Fz, p.nominal_load)
     grip = p.friction * load
     drive, side = p.longitudinal * kappa, p.cornering * tan(alpha)
-    # 1 + kappa, or zero for a wheel that turns backwards: by a parabola between
-    roll = minimum(maximum(1.0 + kappa, -LOCKING), LOCKING) + LOCKING
-    roll = maximum(1.0 + kappa - LOCKING, 0.0) + roll * roll / (4.0 * LOCKING)
+    # speed of the tread over speed of travel, or zero for a wheel that turns backwards: by a parabola between
+    ratio = 1.0 + kappa * rolling_sense(speed, LOW_SPEED)
+    near = minimum(maximum(ratio, -LOCKING), LOCKING) + LOCKING
+    roll = maximum(ratio - LOCKING, 0.0) + near * near / (4.0 * LOCKING)
     limit = maximum(grip * roll, 2.0 * sqrt(drive * drive + side * side))
     m = grip * roll / limit
     per_stiffness = share * grip * (2.0 - m) / limit

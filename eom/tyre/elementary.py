@@ -12,9 +12,9 @@ from eom.tyre.parameters import Values
 arctan = np.arctan
 cos = np.cos
 exp = np.exp
+log = np.log
 maximum = np.maximum
 minimum = np.minimum
-power = np.power
 sin = np.sin
 sqrt = np.sqrt
 tan = np.tan

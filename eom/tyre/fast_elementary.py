@@ -5,8 +5,9 @@ They replace those of `eom.tyre.elementary` by name. Errors are a few units in t
 
 References
 ----------
-Coefficients: Taylor series of sine and exponential, Cephes' rational function of the arctangent (S. L. Moshier, Methods
-and Programs for Mathematical Functions, 1989), series of the inverse hyperbolic tangent for the logarithm.
+Reductions are those of S. L. Moshier, Methods and Programs for Mathematical Functions, 1989. Coefficients: Taylor
+series of sine and exponential, Chebyshev interpolation of the arctangent on its reduced range to 5e-18, series of the
+inverse hyperbolic tangent for the logarithm.
 """
 
 import math
@@ -54,17 +55,18 @@ def arctan(x: float) -> float:
     turned = HALF_PI if far else (QUARTER_PI if near else 0.0)
     r = above / below
     z = r * r
-    p = -8.750608600031904122785e-1
-    p = p * z - 1.615753718733365076637e1
-    p = p * z - 7.500855792314704667340e1
-    p = p * z - 1.228866684490136173410e2
-    p = p * z - 6.485021904942025371773e1
-    q = z + 2.485846490142306297962e1
-    q = q * z + 1.650270098316988542046e2
-    q = q * z + 4.328810604912902668951e2
-    q = q * z + 4.853903996359136964868e2
-    q = q * z + 1.945506571482613964425e2
-    return math.copysign(turned + (r + r * (z * p / q)), x)
+    p = -0.019176887119062259
+    p = p * z + 0.0392316582955871913
+    p = p * z - 0.0508544973794025986
+    p = p * z + 0.0585814891280220988
+    p = p * z - 0.06664511447381948
+    p = p * z + 0.0769218319082608656
+    p = p * z - 0.0909090457812390189
+    p = p * z + 0.111111110152563617
+    p = p * z - 0.142857142846665429
+    p = p * z + 0.199999999999955207
+    p = p * z - 0.333333333333333302
+    return math.copysign(turned + (r + r * z * p), x)
 
 
 def sin(x: float) -> float:
@@ -146,8 +148,3 @@ def log(x: float) -> float:
     p = p * z + 1.0 / 5.0
     p = p * z + 1.0 / 3.0
     return e * LN2_1 + (2.0 * (s + s * z * p) + e * LN2_2)
-
-
-def power(x: float, y: float) -> float:
-    """The power x^y of x > 0."""
-    return exp(y * log(x))

@@ -30,11 +30,17 @@ from eom.tyre.mf_ranges import (
     range_problems,
 )
 from eom.tyre.mf_scaling import Scaling52, Scaling61
-from eom.tyre.parameters import Values, check_bounds
+from eom.tyre.parameters import Values, bound_problems
 
 Form = Literal["tool", "book"]
 Side = Literal["left", "right"]
 Use = Literal["longitudinal", "lateral", "uncombined", "combined"]
+
+CHOICES = {
+    "side": (None, *get_args(Side)),
+    "use": get_args(Use),
+    "form": get_args(Form),
+}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -45,7 +51,7 @@ class Mounting(Model, Dimension, LongSlipRange, SlipAngleRange, InclinationAngle
     ----------
     side : "left", "right" or None
         The side of the vehicle that the coefficients are for; None if they are for both, or if it is not known.
-    mirror : bool
+    mirror : bool, or array of them
         Whether the forces are those of the mirrored tyre.
     use : "longitudinal", "lateral", "uncombined" or "combined"
         Which forces act: Fx and My; Fy, Mx and Mz; all, without or with interaction of the slips.
@@ -56,15 +62,16 @@ class Mounting(Model, Dimension, LongSlipRange, SlipAngleRange, InclinationAngle
     use: Use = "combined"
 
     def __post_init__(self) -> None:
-        check_bounds(self)
         name = type(self).__name__
-        wrong = [f"{name}: {key} = {getattr(self, key)}: {what}" for key, what in range_problems(self, vars(self))]
-        choices = {"side": (None, *get_args(Side)), "mirror": (False, True), "use": get_args(Use)}
+        wrong = bound_problems(self)
+        wrong += [f"{name}: {key} = {getattr(self, key)}: {what}" for key, what in range_problems(self, vars(self))]
         wrong += [
             f"{name}: {key} = {getattr(self, key)!r}: expected one of {', '.join(map(repr, known))}"
-            for key, known in choices.items()
-            if getattr(self, key) not in known
+            for key, known in CHOICES.items()
+            if hasattr(self, key) and getattr(self, key) not in known
         ]
+        if np.asarray(self.mirror).dtype != bool:
+            wrong.append(f"{name}: mirror = {self.mirror!r}: expected True or False")
         if wrong:
             raise TyreError("\n".join(wrong))
 
@@ -139,8 +146,6 @@ class MagicFormula61(
     def __post_init__(self) -> None:
         if self.INFLPRES is AS_NOMINAL:
             object.__setattr__(self, "INFLPRES", self.NOMPRES)
-        if self.form not in {"tool", "book"}:
-            raise TyreError(f"MagicFormula61: form = {self.form!r}: expected one of 'tool', 'book'")
         super().__post_init__()
 
     @property

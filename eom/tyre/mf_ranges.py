@@ -62,15 +62,23 @@ def limits(owner: Any) -> Iterator["dataclasses.Field[Any]"]:
 
 
 def range_problems(owner: Any, values: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
-    """For every range that no value is in: the name of its upper end, and the sentence.
+    """For every range that cannot be or that no value is in: the name of its wrong end, and the sentence.
 
     *values* are the ends of the ranges of *owner*, a parameter object or its class; ends left out have their default.
+    No lower end is below its default, which is 0 for load and pressure.
     """
-    ends = {item.name: values.get(item.name, item.default) for item in limits(owner)}
-    for low, high in zip(list(ends)[::2], list(ends)[1::2], strict=True):
-        try:
-            fits = bool(np.all(np.less(ends[low], ends[high])))
-        except TypeError:
-            fits = False
-        if not fits:
-            yield high, f"expected a number above {low} = {ends[low]}"
+    items = list(limits(owner))
+    for low, high in zip(items[::2], items[1::2], strict=True):
+        least, most = (values.get(item.name, item.default) for item in (low, high))
+        if not holds(np.greater_equal, least, low.default):
+            yield low.name, f"expected a number of at least {low.default:g}"
+        elif not holds(np.less, least, most):
+            yield high.name, f"expected a number above {low.name} = {least}"
+
+
+def holds(relation: "np.ufunc", left: Any, right: Any) -> bool:
+    """Whether all elements are numbers in a relation."""
+    try:
+        return bool(np.all(relation(left, right)))
+    except TypeError:
+        return False

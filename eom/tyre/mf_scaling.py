@@ -40,7 +40,7 @@ class Scaling61(Scaling):
     """Section [SCALING_COEFFICIENTS] of MF 6.1."""
 
     LMUV: Values = coefficient(
-        "loss of friction with slip speed, in units of LONGVL; only in the book's form", default=0.0
+        "loss of friction with slip speed over LONGVL, a cone at zero slip; only in the book's form", default=0.0
     )
 
 

@@ -48,13 +48,17 @@ def coefficients(owner: Any) -> Iterator["dataclasses.Field[Any]"]:
 
 def check_bounds(parameters: Any) -> None:
     """Raise `TyreError` with a sentence for every coefficient that is no finite number or is out of its bounds."""
-    wrong = [
+    if wrong := bound_problems(parameters):
+        raise TyreError("\n".join(wrong))
+
+
+def bound_problems(parameters: Any) -> list[str]:
+    """A sentence for every coefficient that is no finite number or is out of its bounds."""
+    return [
         f"{type(parameters).__name__}: {item.name} = {getattr(parameters, item.name)}: {problem}"
         for item in coefficients(parameters)
         if (problem := problem_of(item, getattr(parameters, item.name)))
     ]
-    if wrong:
-        raise TyreError("\n".join(wrong))
 
 
 def problem_of(item: "dataclasses.Field[Any]", value: Any) -> str:

@@ -22,6 +22,7 @@ def stack(tyres: Sequence[T]) -> T:
         raise TyreError("stack: expected at least one tyre")
     first = tyres[0]
     numeric = [item.name for item in coefficients(first)]
+    numeric += [item.name for item in dataclasses.fields(first) if isinstance(getattr(first, item.name), bool)]  # type: ignore[arg-type]
     other = [item.name for item in dataclasses.fields(first) if item.name not in numeric]  # type: ignore[arg-type]
     for k, tyre in enumerate(tyres):
         if type(tyre) is not type(first):

@@ -1,8 +1,8 @@
 """.tir files: tyres of the Magic Formula as tyre makers and multibody programs exchange them."""
 
 import dataclasses
+import math
 import stat
-import sys
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from decimal import Context, Decimal
@@ -141,9 +141,13 @@ def refuse(path: str | Path, what: str) -> NoReturn:
 
 def plain(name: str, value: object) -> float:
     """A finite number as a float."""
-    if isinstance(value, Real) and abs(value) <= sys.float_info.max:
-        return float(value)
-    raise TyreError(f"{name} = {value}: expected a finite number")
+    try:
+        scalar = float(value) if isinstance(value, Real) else math.nan
+    except OverflowError:
+        scalar = math.inf
+    if not math.isfinite(scalar):
+        raise TyreError(f"{name} = {value}: expected a finite number")
+    return scalar
 
 
 def written(value: float, factor: Fraction) -> str:

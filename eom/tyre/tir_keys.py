@@ -36,26 +36,19 @@ SECTION_OF: Mapping[str, str] = {
     for owner in owners
     for name in (item.name for item in dataclasses.fields(owner))
 }
+CLASSES: tuple[type[Tyre], ...] = (MagicFormula61, MagicFormula52)
+FIELDS: Mapping[type[Tyre], Mapping[str, "dataclasses.Field[Any]"]] = {
+    version: {item.name: item for item in dataclasses.fields(version) if item.name in SECTION_OF} for version in CLASSES
+}
 
 ALIASES: Mapping[str, str] = {"LFZ0": "LFZO", "IP": "INFLPRES", "IP_NOM": "NOMPRES"}
 
 # keys that say how a file is to be handled, and nothing of the tyre
-WITHOUT_MEANING = frozenset(
-    {
-        "TYPE",
-        "FUNCTION_NAME",
-        "USER_SUB_ID",
-        "N_TIRE_STATES",
-        "SWITCH_INTEG",
-        "HMAX_LOCAL",
-        "TIME_SWITCH_INTEG",
-        "ROAD_INCREMENT",
-        "ROAD_DIRECTION",
-        "MFSAFE1",
-        "MFSAFE2",
-        "MFSAFE3",
-    }
+HANDLING = (
+    "TYPE FUNCTION_NAME USER_SUB_ID N_TIRE_STATES SWITCH_INTEG HMAX_LOCAL TIME_SWITCH_INTEG ROAD_INCREMENT "
+    "ROAD_DIRECTION MFSAFE1 MFSAFE2 MFSAFE3"
 )
+WITHOUT_MEANING = frozenset(HANDLING.split())
 
 # what neither version of the equations has here, by subject
 NOT_MODELLED: Mapping[str, str] = {
@@ -84,18 +77,13 @@ SHAPE_OF: Mapping[str, tuple[str, ...]] = {
 }
 
 
-def fields_of(version: type[Tyre]) -> dict[str, "dataclasses.Field[Any]"]:
+def fields_of(version: type[Tyre]) -> Mapping[str, "dataclasses.Field[Any]"]:
     """The numbers of a version by name: coefficients and limits."""
-    return {item.name: item for item in dataclasses.fields(version) if item.name in SECTION_OF}
+    return FIELDS[version]
 
 
 def unit_of(item: "dataclasses.Field[Any]") -> str:
-    """The unit that a file's [UNITS] bear on; empty for pure numbers.
-
-    Coefficients of the equations are in rad, N and m whatever the file's units are.
-    """
-    if is_coefficient(item.name):
-        return ""
+    """The unit that a file's [UNITS] bear on; empty for pure numbers, as all coefficients of the equations are."""
     return str(item.metadata.get("limit_unit", item.metadata.get("unit", "")))
 
 

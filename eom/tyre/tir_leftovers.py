@@ -1,7 +1,7 @@
 """Keys of a .tir file that are no numbers of its tyre: left out with a note, or a mistake."""
 
 import difflib
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from itertools import groupby
 from typing import Any
 
@@ -9,15 +9,20 @@ from eom.tyre.mf_coefficients import MagicFormula52, MagicFormula61
 from eom.tyre.tir_keys import HEADERS, SECTIONS, SHAPE_OF, SUBJECT_OF, WITHOUT_MEANING, Tyre, fields_of, is_coefficient
 from eom.tyre.tir_text import Entry, TirText, number, shown
 
-MAX_GUESSES, MAX_LISTED = 50, 30
+MAX_GUESSES, MAX_KEY, MAX_LISTED = 50, 40, 30
 NAMES: dict[type[Tyre], str] = {MagicFormula61: "the Magic Formula 6.1", MagicFormula52: "the Magic Formula 5.2"}
 WORDS_FOR_NONE = frozenset({"", "NO", "FALSE", "DEFAULT", "NONE"})
 
 
-def read_leftovers(text: TirText, version: type[Tyre], entries: list[Entry]) -> frozenset[str]:
-    """Report and note what is no number of the version; give the names that mistyped keys probably mean."""
+def read_leftovers(text: TirText, version: type[Tyre], entries: list[Entry], said: Collection[str]) -> frozenset[str]:
+    """Report and note what is no number of the version; give the names that mistyped keys probably mean.
+
+    *said* are the names of the numbers that are in the file.
+    """
     other = MagicFormula52 if version is MagicFormula61 else MagicFormula61
-    foreign = fields_of(other)
+    fields = fields_of(version)
+    foreign = {name: item for name, item in fields_of(other).items() if name not in fields}
+    acting = {entry.key for entry in entries if number(entry.value) != 0}
     noted: list[tuple[str, Entry]] = []
     strange: list[Entry] = []
     for entry in entries:
@@ -25,7 +30,8 @@ def read_leftovers(text: TirText, version: type[Tyre], entries: list[Entry]) -> 
             default: Any = foreign[entry.key].default
             if says_nothing(entry, default):
                 continue
-            if is_coefficient(entry.key) and not is_idle(entry, entries):
+            terms = SHAPE_OF.get(entry.key)
+            if is_coefficient(entry.key) and (terms is None or acting.intersection(terms)):
                 what = f"belongs to {NAMES[other]} and would be ignored: set it to {default:g}, or change FITTYP"
                 text.report_key(entry, what)
             else:
@@ -37,30 +43,39 @@ def read_leftovers(text: TirText, version: type[Tyre], entries: list[Entry]) -> 
             noted.append(("unknown section, not read", entry))
         elif entry.key not in WITHOUT_MEANING:
             strange.append(entry)
-    meant = report_strange(text, version, strange, noted)
-    add_notes(text, noted)
+    # a mistyped key means a name that is not there
+    names = sorted(fields.keys() - set(said))
+    meant, unknown = report_strange(text, strange, names)
+    add_notes(text, noted + [("unknown, not read", entry) for entry in unknown])
     return meant
 
 
-def report_strange(
-    text: TirText, version: type[Tyre], strange: list[Entry], noted: list[tuple[str, Entry]]
-) -> frozenset[str]:
-    """Report unknown keys among coefficients, and beside them those that resemble a known one; note the others."""
-    known, meant = list(fields_of(version)), set[str]()
+def report_strange(text: TirText, strange: list[Entry], names: list[str]) -> tuple[frozenset[str], list[Entry]]:
+    """Report unknown keys among coefficients, and elsewhere those that resemble a name that is not in the file.
+
+    The names that they resemble are given back, and the keys that are not reported.
+    """
+    meant: set[str] = set()
+    unknown = []
     for count, entry in enumerate(strange):
         among_coefficients = entry.section.endswith("COEFFICIENTS")
         # comparing is slow, and a file of unknown keys needs no help with each
-        close = (
-            difflib.get_close_matches(entry.key, known, n=1, cutoff=0.6 if among_coefficients else 0.85)
-            if count < MAX_GUESSES
-            else []
-        )
-        if close or among_coefficients:
-            text.report_key(entry, f"unknown key{f'; did you mean {close[0]}?' if close else ''}")
-            meant.update(close)
+        guess = closest(entry.key, names, 0.6 if among_coefficients else 0.85) if count < MAX_GUESSES else ""
+        if guess or among_coefficients:
+            text.report_key(entry, f"unknown key{f'; did you mean {guess}?' if guess else ''}")
+            meant.add(guess)
         else:
-            noted.append(("unknown, not read", entry))
-    return frozenset(meant)
+            unknown.append(entry)
+    return frozenset(meant), unknown
+
+
+def closest(key: str, names: list[str], least: float) -> str:
+    """The first of the names that are most like a key, empty if none is like it."""
+    if not names or len(key) > MAX_KEY:
+        return ""
+    likeness = {name: difflib.SequenceMatcher(None, key, name).ratio() for name in names}
+    best = max(names, key=likeness.__getitem__)
+    return best if likeness[best] >= least else ""
 
 
 def says_nothing(entry: Entry, neutral: float) -> bool:
@@ -69,12 +84,6 @@ def says_nothing(entry: Entry, neutral: float) -> bool:
     if value is None:
         return entry.value.upper() in WORDS_FOR_NONE
     return value == neutral or (value == 0 and not entry.key.startswith("L"))
-
-
-def is_idle(entry: Entry, entries: list[Entry]) -> bool:
-    """Whether a coefficient only shapes a term that is zero."""
-    terms = SHAPE_OF.get(entry.key)
-    return terms is not None and all(number(item.value) == 0 for item in entries if item.key in terms)
 
 
 def add_notes(text: TirText, noted: list[tuple[str, Entry]]) -> None:

@@ -66,8 +66,9 @@ def check_missing(text: TirText, version: type[Tyre], said: frozenset[str]) -> N
 
 def check_ranges(text: TirText, version: type[Tyre], numbers: Mapping[str, float], places: Mapping[str, Place]) -> None:
     """Report ranges that no value is in."""
-    for high, what in range_problems(version, numbers):
-        entry = places[high if high in places else high.removesuffix("MAX") + "MIN"][0][0]
+    for name, what in range_problems(version, numbers):
+        # an upper end that is not given is infinite, and a lower one that is not given is right: one of them is there
+        entry = places[name if name in places else name.removesuffix("MAX") + "MIN"][0][0]
         text.report_value(entry, what)
 
 

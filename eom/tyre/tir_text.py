@@ -23,7 +23,7 @@ class Entry:
     section, key : str
         In upper case.
     value : str
-        Without quotes, blanks around it and comment.
+        Without quotes, comment and blanks around it.
     quoted : bool
         Whether it stands in quotes.
     line, column, value_column : int
@@ -144,9 +144,9 @@ def read_line(found: TirText, section: str, line: str, place: tuple[int, int], p
 def read_value(after: str) -> str | None:
     """The value without quotes and comment; None if the quotes are not closed or text follows them."""
     if after[:1] not in {"'", '"'}:
-        return COMMENT.split(after, maxsplit=1)[0].rstrip()
+        return COMMENT.split(after, maxsplit=1)[0].strip()
     value, closed, rest = after[1:].partition(after[0])
-    return value if closed and (not rest.strip() or rest.strip()[0] in "$!") else None
+    return value.strip() if closed and (not rest.strip() or rest.strip()[0] in "$!") else None
 
 
 def shown(text: str) -> str:

@@ -1,7 +1,7 @@
 """Entries of a .tir file to a tyre, with every mistake and everything worth knowing at its place."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from eom.errors import DescriptionError, Mistake
@@ -47,7 +47,7 @@ def read_tyre(text: TirText) -> Reading:
     places = {name: (tuple(entries), factor_of(unit_of(fields[name]), units)) for name, entries in said.items()}
     found = {name: read_number(text, version, name, place) for name, place in places.items()}
     numbers: dict[str, Any] = {name: value for name, value in found.items() if value is not None}
-    meant = read_leftovers(text, version, leftovers)
+    meant = read_leftovers(text, version, leftovers, said)
     check_missing(text, version, meant.union(said))
     check_ranges(text, version, numbers, places)
     note_pressure(text, version, numbers, places)
@@ -99,8 +99,5 @@ def first_of(text: TirText) -> list[Mistake]:
     every = sorted(set(text.mistakes))
     if len(every) <= MAX_MISTAKES:
         return every
-    last = every[MAX_MISTAKES - 1]
-    rest = Mistake(
-        last.file, last.line, last.column, "", f"and {len(every) - MAX_MISTAKES} more mistakes after this one"
-    )
+    rest = replace(every[MAX_MISTAKES], what=f"and {len(every) - MAX_MISTAKES} more mistakes from here on")
     return [*every[:MAX_MISTAKES], rest]

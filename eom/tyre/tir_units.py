@@ -4,6 +4,7 @@ import math
 from collections.abc import Mapping
 from fractions import Fraction
 
+from eom.tyre.tir_keys import HEADERS
 from eom.tyre.tir_text import Entry, TirText, shown
 
 FOOT, POUND = Fraction(3048, 10000), Fraction(45359237, 10**8)
@@ -78,10 +79,15 @@ def factor_of(unit: str, units: Mapping[str, Fraction]) -> Fraction:
 
 
 def read_units(text: TirText) -> dict[str, Fraction]:
-    """The factors of the section [UNITS]; SI for what it does not say. Mistakes are added to the text."""
+    """The factors of [UNITS], or of the header, where some files have them; SI for what is not said.
+
+    Mistakes are added to the text.
+    """
     units, said = dict(SI), dict[str, Entry]()
-    for entry in (entry for entry in text.entries if entry.section == "UNITS"):
+    for entry in (entry for entry in text.entries if entry.section == "UNITS" or entry.section in HEADERS):
         if entry.key not in UNITS:
+            if entry.section in HEADERS:
+                continue
             text.report_key(entry, f"unknown quantity, expected one of {', '.join(UNITS)}")
             continue
         factor = unit_factor(entry.key, entry.value)

@@ -86,13 +86,14 @@ def model(tyre: Tyre) -> Iterator[str]:
 
 def write_whole(path: str | Path, text: str) -> None:
     """Write a text of Latin-1 beside the file, then put it in its place."""
-    target = Path(path).resolve()
-    draft = target.with_name(f"{target.name}.part")
     try:
-        draft.write_bytes(text.encode("latin-1"))
-        draft.replace(target)
+        target = Path(path).resolve()
+        draft = target.with_name(f"{target.name}.part")
+        try:
+            draft.write_bytes(text.encode("latin-1"))
+            draft.replace(target)
+        finally:
+            draft.unlink(missing_ok=True)
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) else str(error)
         raise TyreError(f"{path} cannot be written: {reason}") from None
-    finally:
-        draft.unlink(missing_ok=True)

@@ -3,8 +3,8 @@
 from collections.abc import Mapping
 
 from tests.tyre.random_sets import NAMES_61, SCALES_61
-from tests.tyre.referee_mf import camber_stiffness, tool_point
 from tests.tyre.referee_mf52 import stiffnesses_52
+from tests.tyre.referee_mf_forces import camber_stiffness, tool_point
 
 BOOK_DEFAULTS = {
     "UNLOADED_RADIUS": 0.3135,

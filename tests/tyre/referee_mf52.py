@@ -17,7 +17,8 @@ the choice is below. No pressure, no turn slip.
 from math import atan, cos, exp, pi, sin
 from typing import NamedTuple
 
-from tests.tyre.referee_mf import Coefficients, Wrench, bent, equivalent_of_the_paper, sign
+from tests.tyre.referee_mf import Wrench, equivalent_of_the_paper
+from tests.tyre.referee_mf_forces import Coefficients, bent, sign
 
 
 class State(NamedTuple):

@@ -1,9 +1,9 @@
 """CommonRoad's tyre formulas as a second opinion.
 
-M. Althoff and G. Wuersching, CommonRoad: Vehicle Models, TU Munich, 2020. They are PAC2002 with all scales 1, no terms in load and the cornering stiffness PKY1 Fz. Three of their lines are known
-to be wrong and are kept out of the way: the lateral shifts change sign with camber and vanish without it (so camber is
-positive here), and the longitudinal function turns the sign of kappa (turned back here) and adds SVx inside the sine
-(zero here).
+M. Althoff and G. Wuersching, CommonRoad: Vehicle Models, TU Munich, 2020. They are PAC2002 with all scales 1, no terms
+in load and the cornering stiffness PKY1 Fz. Three of their lines are known to be wrong and kept out of the way: the
+lateral shifts change sign with camber and vanish without it (so camber is positive here), and the longitudinal function
+turns the sign of kappa (turned back here) and adds SVx inside the sine (zero here).
 """
 
 from types import SimpleNamespace

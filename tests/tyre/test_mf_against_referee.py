@@ -9,8 +9,9 @@ import pytest
 
 from eom.tyre import MagicFormula52, MagicFormula61, relaxation_lengths
 from tests.tyre.random_sets import WITHOUT_EFFECT, State, random_set_52, random_set_61, random_states
-from tests.tyre.referee_mf import Wrench, book_61, book_point, relaxation_61, tool_61
+from tests.tyre.referee_mf import Wrench, book_61, tool_61
 from tests.tyre.referee_mf52 import relaxation_52, tool_52
+from tests.tyre.referee_mf_forces import book_point, relaxation_61
 
 SEEDS = range(20)
 

@@ -12,8 +12,9 @@ from tests.tyre.random_sets import (
     random_set_61,
     random_states,
 )
-from tests.tyre.referee_mf import Coefficients, Wrench, book_61, relaxation_61, tool_61
+from tests.tyre.referee_mf import Wrench, book_61, tool_61
 from tests.tyre.referee_mf52 import relaxation_52, tool_52
+from tests.tyre.referee_mf_forces import Coefficients, relaxation_61
 
 FORMS = {
     "tool": (random_set_61, tool_61, relaxation_61),

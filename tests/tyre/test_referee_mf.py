@@ -8,8 +8,9 @@ from scipy.optimize import minimize_scalar
 
 from tests.tyre.plain_sets import BOOK_DEFAULTS, as_61, filled
 from tests.tyre.random_sets import State, random_set_52, random_set_61, random_states
-from tests.tyre.referee_mf import Wrench, book_61, relaxation_61, stiffnesses_61, tool_61
-from tests.tyre.referee_mf52 import stiffnesses_52, tool_52
+from tests.tyre.referee_mf import Wrench, book_61, tool_61
+from tests.tyre.referee_mf52 import relaxation_52, stiffnesses_52, tool_52
+from tests.tyre.referee_mf_forces import relaxation_61, stiffnesses_61
 
 Numbers = dict[str, float]
 FORMS: dict[str, tuple[Callable[[int], Numbers], Callable[..., Wrench], Callable[..., tuple[float, float, float]]]] = {
@@ -183,6 +184,24 @@ def test_tool_and_book_are_one_formula_where_their_choices_coincide() -> None:
             book = book_61(tyre, *at._replace(alpha=atan(at.alpha)))
             scaled = (*book[:4], book[4] * cos(at.alpha) / cos(atan(at.alpha)))
             assert_alike(tool, scaled, at.Fz)
+
+
+def test_camber_scales_of_52_scale_each_camber_coefficient_of_their_group() -> None:
+    powers = {
+        "LGAX": {"PDX3": 2},
+        "LGAY": {"PDY3": 2, "PEY4": 1, "PKY3": 1, "PHY3": 1, "PVY3": 1, "PVY4": 1},
+        "LGAZ": {"QBZ4": 1, "QBZ5": 1, "QDZ3": 1, "QDZ4": 2, "QDZ8": 1, "QDZ9": 1, "QEZ5": 1, "QHZ3": 1, "QHZ4": 1},
+    }
+    for seed in range(20):
+        tyre = random_set_52(seed)
+        plain = tyre | dict.fromkeys(powers, 1.0)
+        plain |= {
+            name: tyre[name] * tyre[scale] ** power for scale, group in powers.items() for name, power in group.items()
+        }
+        for state in states_of(tyre, seed):
+            assert_alike(tool_52(plain, *state), tool_52(tyre, *state), state.Fz)
+            lengths = relaxation_52(tyre, state.Fz, state.gamma)
+            assert relaxation_52(plain, state.Fz, state.gamma) == pytest.approx(lengths, rel=1e-13)
 
 
 def test_magic_formula_52_is_61_without_its_additions() -> None:

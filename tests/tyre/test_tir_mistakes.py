@@ -3,18 +3,21 @@
 import os
 import re
 from pathlib import Path
+from typing import Self
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
-from eom.errors import DescriptionError
+from eom.errors import DescriptionError, Mistake
 from eom.tyre import read_tir
 from eom.tyre.tir import MAX_BYTES, read_text
 from eom.tyre.tir_tyre import MAX_MISTAKES
+from tests.tyre.tir_samples import NEWER, PASSENGER_CAR
 
 FOLDER = Path(__file__).parent / "bad_tir"
 FILES = sorted(FOLDER.glob("*.tir"))
 EXPECT = re.compile(r"\ufeff?\$ expect (\d+):(\d+) (.+)")
-GOOD = Path(__file__).parents[2] / "vehicles" / "tyres" / "passenger_car.tir"
 
 
 def expected(file: Path) -> list[tuple[int, int, str]]:
@@ -41,8 +44,9 @@ def test_a_bad_file_gives_exactly_its_mistakes(file: Path) -> None:
 
 
 def test_a_mistake_names_section_and_key() -> None:
-    text = GOOD.read_text(encoding="utf-8").replace("= 4000 ", "= -1 ")
-    with pytest.raises(DescriptionError, match=r"car:37:28: VERTICAL\.FNOMIN: expected more than 0 N"):
+    text = PASSENGER_CAR.read_text(encoding="utf-8").replace("= 4000 ", "= -1 ")
+    line = text[: text.index("FNOMIN")].count("\n") + 1
+    with pytest.raises(DescriptionError, match=rf"^car:{line}:28: VERTICAL\.FNOMIN: expected more than 0 N"):
         read_text(text, "car")
 
 
@@ -84,7 +88,7 @@ def test_of_a_binary_file_no_more_than_its_head_is_read(tmp_path: Path, monkeypa
         def __init__(self) -> None:
             self.stream = plain_open(path, "rb")
 
-        def __enter__(self) -> "Counting":
+        def __enter__(self) -> Self:
             return self
 
         def __exit__(self, *_: object) -> None:
@@ -122,6 +126,7 @@ MONSTERS = {
     "one key again and again": "[MODEL]\nFITTYP=61\n[LATERAL_COEFFICIENTS]\n"
     + "".join(f"PKY1 = {k}\n" for k in range(60_000)),
     "sections": "".join(f"[S{k}]\nA = 1\n" for k in range(60_000)),
+    "terms of the other version": "[MODEL]\nFITTYP=6\n[OVERTURNING_COEFFICIENTS]\n" + "QSX4 = 1\n" * 80_000,
     "rows": "[MODEL]\n" + "1 2\n" * 200_000,
     "letters of all kinds": "".join(map(chr, range(1, 256))) * 3_000,
 }
@@ -137,6 +142,21 @@ def test_a_monster_is_refused_in_a_few_short_sentences(name: str) -> None:
 
 def test_of_very_many_mistakes_the_number_is_told() -> None:
     text = "[MODEL]\nFITTYP=61\n[LATERAL_COEFFICIENTS]\n" + "".join(f"XYZ{k} = 1\n" for k in range(500))
-    with pytest.raises(DescriptionError, match=r"and 403 more mistakes after this one"):
+    with pytest.raises(DescriptionError, match=r"and 404 more mistakes from here on"):
         # 500 unknown keys, and four sections that lack coefficients, of which the first 100 are told
         read_text(text, "many")
+
+
+PIECES = """[MODEL] [UNITS] [VERTICAL] [LATERAL_COEFFICIENTS] [ [] ] = $ ! { ' " 61 6 1.5 -2D3 1e399 nan mm kN FITTYP
+USE_MODE TYRESIDE LENGTH FNOMIN PKY1 PKY2 PHY3 LFZ0 QSX4 FZMAX INFLPRES PAC2002 FORM book"""
+
+
+@given(st.lists(st.sampled_from([*PIECES.split(), "\n", "\n", " = "]) | st.characters(max_codepoint=255), max_size=60))
+def test_any_text_is_a_tyre_or_a_list_of_mistakes(pieces: list[str]) -> None:
+    for text in (" ".join(pieces), NEWER + "\n".join(pieces)):
+        mistakes: tuple[Mistake, ...] = ()
+        try:
+            assert read_text(text, "any").tyre.FNOMIN > 0
+        except DescriptionError as error:
+            mistakes = error.mistakes
+        assert all(0 < mistake.line <= len(text) + 1 for mistake in mistakes)

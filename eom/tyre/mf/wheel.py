@@ -3,7 +3,7 @@
 from typing import Any
 
 from eom.tyre.contact import rolling_sense, rolling_speed
-from eom.tyre.elementary import arctan, cos, magnitude, power, sin
+from eom.tyre.elementary import arctan, cos, exp, log, magnitude, sin
 from eom.tyre.mf.state import State
 from eom.tyre.parameters import Values
 
@@ -44,8 +44,8 @@ def rolling_61(p: Any, s: State, Fx: Values, speed: Values, unit: Values) -> Any
     """M_y [N m], A48 or E70; *unit* is the load [N] that multiplies: nominal in the tool, actual in the book."""
     load = s.load / p.FNOMIN
     lean = (p.QSY5 + p.QSY6 * load) * s.camber * s.camber
-    pressure = power(load, p.QSY7) * power(p.INFLPRES / p.NOMPRES, p.QSY8)
-    return -p.UNLOADED_RADIUS * unit * p.LMY * (resistance(p, Fx, speed) + lean) * pressure * direction(p, s, speed)
+    powers = exp(p.QSY7 * log(load) + p.QSY8 * log(p.INFLPRES / p.NOMPRES))
+    return -p.UNLOADED_RADIUS * unit * p.LMY * (resistance(p, Fx, speed) + lean) * powers * direction(p, s, speed)
 
 
 def rolling_52(p: Any, s: State, Fx: Values, speed: Values) -> Any:

@@ -1,0 +1,176 @@
+"""Compiled formulas against NumPy, and the elementary functions that they are compiled with."""
+
+import dataclasses
+import math
+from collections.abc import Callable
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from eom.errors import TyreError
+from eom.tyre import (
+    Dugoff,
+    Linear,
+    MagicFormula,
+    MagicFormula52,
+    MagicFormula61,
+    Tyre,
+    compile_forces,
+    fast_elementary,
+    kernel,
+    stack,
+)
+from tests.tyre.random_sets import random_set_52, random_set_61
+
+LOAD = 4000.0
+
+
+def varied(make: Callable[..., Tyre], count: int, **numbers: float) -> list[Tyre]:
+    """Tyres whose numbers differ by some percent."""
+    rng = np.random.default_rng(5)
+    return [make(**{name: value * rng.uniform(0.9, 1.1) for name, value in numbers.items()}) for _ in range(count)]
+
+
+def magic(**numbers: Any) -> MagicFormula:
+    return MagicFormula(nominal_load=LOAD, trail=0.04, rolling_resistance=0.01, radius=0.3, E_y=-0.7, **numbers)
+
+
+def sets(count: int) -> dict[str, list[Tyre]]:
+    """Tyres of every formula."""
+    rows = {"mu_x": 1.0, "mu_y": 0.9, "k_x": 20.0, "k_y": 15.0, "k_gamma": 0.7}
+    full: dict[str, Callable[[int], Tyre]] = {
+        "tool": lambda seed: MagicFormula61(mirror=seed % 2 == 1, **random_set_61(seed)),  # type: ignore[arg-type]
+        "book": lambda seed: MagicFormula61(form="book", **random_set_61(seed)),  # type: ignore[arg-type]
+        "uncombined": lambda seed: MagicFormula61(use="uncombined", **random_set_61(seed)),  # type: ignore[arg-type]
+        "5.2": lambda seed: MagicFormula52(**random_set_52(seed)),  # type: ignore[arg-type]
+    }
+    return {
+        "linear": varied(Linear, count, nominal_load=LOAD, cornering=6e4, longitudinal=8e4, camber=2e3, trail=0.03),
+        "dugoff": varied(Dugoff, count, nominal_load=LOAD, cornering=6e4, longitudinal=8e4, friction=0.9, trail=0.03),
+        "ellipse": varied(magic, count, **rows),
+        "cosine": varied(lambda **k: magic(combined="cosine", **k), count, **rows),
+        **{name: [make(seed) for seed in range(count)] for name, make in full.items()},
+    }
+
+
+def states(count: int) -> tuple[np.ndarray, ...]:
+    """Slips, loads, camber and speeds with lifted, overloaded, locked, reversed and standing wheels among them."""
+    rng = np.random.default_rng(6)
+    return (
+        rng.uniform(-1.2, 1.2, count),
+        rng.choice([-1.5, -1.0, 0.0, 0.7], count) + rng.uniform(-0.2, 0.2, count),
+        rng.choice([-100.0, 0.0, 0.003 * LOAD, LOAD, 2.0 * LOAD], count) * rng.uniform(0.9, 1.1, count),
+        rng.uniform(-0.2, 0.2, count),
+        rng.choice([-20.0, 0.0, 0.5, 20.0], count) * rng.uniform(0.9, 1.1, count),
+    )
+
+
+@pytest.mark.parametrize("formula", sets(1))
+def test_the_compiled_formula_gives_what_numpy_gives(formula: str) -> None:
+    rounds = 40
+    tyres = sets(18)[formula]
+    joined = stack(tyres)
+    compiled = compile_forces(joined)
+    every = [values.reshape(rounds, 18) for values in states(18 * rounds)]
+    for k in range(rounds):
+        arguments = [values[k] for values in every]
+        found, expected = compiled.forces(*arguments), joined.forces(*arguments)
+        # of the load, and of load times 1 m: elementary functions differ by some units in the last place
+        np.testing.assert_allclose(np.array(found), np.array([*expected]), rtol=0.0, atol=1e-12 * LOAD)
+
+
+@pytest.mark.parametrize("count", [1, 7, 8, 32, 33, 70])
+def test_the_result_does_not_depend_on_the_number_of_tyres_or_their_place(count: int) -> None:
+    tyres = sets(count)["ellipse"]
+    arguments = states(count)
+    found = np.array(compile_forces(stack(tyres)).forces(*arguments))
+    for k, tyre in enumerate(tyres):
+        alone = np.array(compile_forces(tyre).forces(*(values[k] for values in arguments)))
+        assert np.array_equal(found[:, k], alone[:, 0])
+
+
+def test_stacked_tyres_give_the_forces_of_each() -> None:
+    for name, tyres in sets(5).items():
+        arguments = states(5)
+        together = stack(tyres).forces(*arguments)
+        for k, tyre in enumerate(tyres):
+            one = tyre.forces(*(float(values[k]) for values in arguments))
+            # array and scalar loops of NumPy may round differently
+            assert [float(v[k]) for v in together] == pytest.approx(list(one), rel=1e-13, abs=1e-13 * LOAD), name  # type: ignore[index]
+
+
+def test_tyres_that_do_not_fit_together_are_refused() -> None:
+    one, other = sets(1)["linear"][0], sets(1)["dugoff"][0]
+    with pytest.raises(TyreError, match="tyre 1 and tyre 2 are Linear and Dugoff: expected tyres of one model"):
+        stack([one, other])
+    first, second = sets(1)["ellipse"][0], sets(1)["cosine"][0]
+    with pytest.raises(TyreError, match="have combined = 'ellipse' and 'cosine': expected one and the same"):
+        stack([first, second])
+    with pytest.raises(TyreError, match="expected at least one tyre"):
+        stack([])
+    compiled = compile_forces(stack([one, one]))
+    with pytest.raises(TyreError, match="alpha: expected a number or 2 of them"):
+        compiled.forces(np.zeros(3), 0.0, LOAD, 0.0, 20.0)
+
+
+def test_without_numba_the_extra_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(__import__("sys").modules, "numba", None)
+    with pytest.raises(TyreError, match=r"compiled tyres need numba: install eom-vehicle\[fast\]"):
+        kernel.numba()
+
+
+def ulps(function: Callable[[float], float], exact: Callable[[Any], Any], x: float) -> float:
+    """Error in units of the last place of the result."""
+    with mpmath.workdps(40):
+        value = exact(mpmath.mpf(x))
+        return float(abs(mpmath.mpf(function(x)) - value)) / math.ulp(float(value))
+
+
+@given(st.floats(-1e6, 1e6))
+def test_arctangent_is_exact_to_two_units_in_the_last_place(x: float) -> None:
+    assert ulps(fast_elementary.arctan, mpmath.atan, x) <= 2.0
+
+
+@given(st.floats(-1e3, 1e3))
+def test_sine_and_cosine_are_exact_to_rounding_of_one(x: float) -> None:
+    # near a zero the error of the reduction by multiples of pi is that of x times 1e-19, and of the result 1e-16
+    assert abs(fast_elementary.sin(x) - math.sin(x)) <= 5e-16
+    assert abs(fast_elementary.cos(x) - math.cos(x)) <= 5e-16
+
+
+@given(st.floats(-1.5, 1.5))
+def test_tangent_is_exact_to_rounding(x: float) -> None:
+    assert fast_elementary.tan(x) == pytest.approx(math.tan(x), rel=1e-14, abs=1e-300)
+
+
+@given(st.floats(-700.0, 700.0))
+def test_exponential_is_exact_to_four_units_in_the_last_place(x: float) -> None:
+    assert ulps(fast_elementary.exp, mpmath.exp, x) <= 4.0
+
+
+@given(st.floats(1e-300, 1e300))
+def test_logarithm_is_exact_to_four_units_in_the_last_place(x: float) -> None:
+    # next to one the result is of the size of x - 1, which is exact
+    assert ulps(fast_elementary.log, mpmath.log, x) <= 4.0
+
+
+@given(st.floats(-10, 10), st.floats(-10, 10))
+def test_choices_and_signs_are_those_of_numpy(a: float, b: float) -> None:
+    assert fast_elementary.maximum(a, b) == max(a, b)
+    assert fast_elementary.minimum(a, b) == min(a, b)
+    assert fast_elementary.sense(a) == np.copysign(1.0, a)
+    assert fast_elementary.magnitude(a) == abs(a)
+    assert fast_elementary.sqrt(abs(a)) == math.sqrt(abs(a))
+
+
+def test_a_changed_coefficient_reaches_the_compiled_formula() -> None:
+    tyre = sets(1)["tool"][0]
+    softer = dataclasses.replace(tyre, PKY1=0.5 * tyre.PKY1)  # type: ignore[attr-defined, type-var]
+    before, after = (
+        float(np.max(np.abs(compile_forces(item).forces(0.02, 0.0, LOAD, 0.0, 20.0).Fy))) for item in (tyre, softer)
+    )
+    assert after < 0.8 * before

@@ -1,0 +1,71 @@
+"""Small .tir files that tests change, and their readers."""
+
+from pathlib import Path
+
+from eom.tyre.tir import TirFile, read_text
+
+PASSENGER_CAR = Path(__file__).parents[2] / "vehicles" / "tyres" / "passenger_car.tir"
+FORCES = """\
+[DIMENSION]
+UNLOADED_RADIUS = 0.3
+[VERTICAL]
+FNOMIN = 4000
+[LONGITUDINAL_COEFFICIENTS]
+PCX1 = 1.6
+PDX1 = 1.1
+PKX1 = 20
+[LATERAL_COEFFICIENTS]
+PCY1 = 1.3
+PDY1 = 1.0
+PKY1 = -20
+PKY2 = 1.5
+"""
+PRESSURES = "[OPERATING_CONDITIONS]\nINFLPRES = 230000\nNOMPRES = 210000\n"
+NEWER, OLDER = f"[MODEL]\nFITTYP = 61\n{FORCES}{PRESSURES}", f"[MODEL]\nFITTYP = 6\n{FORCES}"
+OTHER_UNITS = """\
+[UNITS]
+LENGTH = 'mm'
+FORCE = 'kN'
+ANGLE = 'degrees'
+MASS = 'kg'
+TIME = 'ms'
+PRESSURE = 'bar'
+[MODEL]
+FITTYP = 61
+LONGVL = 16.7      $ mm/ms, that is m/s
+VXLOW = 2.
+[DIMENSION]
+UNLOADED_RADIUS = 313.5
+WIDTH = 205
+[OPERATING_CONDITIONS]
+INFLPRES = 2.2
+NOMPRES = 2.1
+[VERTICAL]
+FNOMIN = 4
+VERTICAL_STIFFNESS = 0.2
+VERTICAL_DAMPING = 0.05
+BREFF = 8.4
+[VERTICAL_FORCE_RANGE]
+FZMIN = 0.1
+FZMAX = 9.9
+[SLIP_ANGLE_RANGE]
+ALPMIN = -90
+ALPMAX = 45
+[INFLATION_PRESSURE_RANGE]
+PRESMIN = 1.5
+PRESMAX = 3
+[LONGITUDINAL_COEFFICIENTS]
+PCX1 = 1.6
+PDX1 = 1.1
+PKX1 = 20
+[LATERAL_COEFFICIENTS]
+PCY1 = 1.3
+PDY1 = 1.0
+PKY1 = -20
+PKY2 = 1.5
+PHY1 = 0.01
+"""
+
+
+def read(text: str) -> TirFile:
+    return read_text(text, "tyre.tir")
