@@ -38,6 +38,7 @@ pictures: .venv/installed
 	$(BIN)/eom sweep vehicles/bicycle.yaml U=0.5:10:0.1m/s --out docs/images
 	$(BIN)/eom sweep vehicles/motorcycle.yaml U=2:65:0.5m/s --out docs/images
 	$(BIN)/eom sweep vehicles/car_trailer.yaml U=40:180:5km/h ahead=-0.4:0.6:0.05m --out docs/images
+	$(BIN)/eom tyre vehicles/tyres/passenger_car.tir --out docs/images
 	rm -f docs/images/*.csv docs/images/*.svg docs/images/full_car_frequency.png
 
 clean:

@@ -23,6 +23,7 @@ PAGES = (
     "closed-form",
     "modes",
     "tir-files",
+    "tyres",
 )
 BLOCK = re.compile(r"```(sh|python|yaml|text)\n(.*?)```", flags=re.DOTALL)
 ENVIRONMENT = {**os.environ, "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}", "COLUMNS": "200"}
