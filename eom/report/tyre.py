@@ -11,9 +11,9 @@ from eom.report.table import table
 from eom.tyre.carpet import Carpet
 from eom.tyre.characteristics import Characteristics
 from eom.tyre.interface import Forces
-from eom.tyre.mf_coefficients import MagicFormula52, MagicFormula61
+from eom.tyre.mf.coefficients import MagicFormula52, MagicFormula61
 from eom.tyre.parameters import Values
-from eom.tyre.tir import TirFile
+from eom.tyre.tir.file import TirFile
 
 VERSIONS = {MagicFormula61: "Magic Formula 6.1", MagicFormula52: "Magic Formula 5.2"}
 

@@ -7,8 +7,8 @@ import numpy as np
 from eom.errors import TyreError
 from eom.tyre.branch import Array, Curve, branch
 from eom.tyre.interface import Tyre, as_numbers
+from eom.tyre.mf.coefficients import MagicFormula52, MagicFormula61
 from eom.tyre.mf.relaxation import Relaxation, relaxation_lengths
-from eom.tyre.mf_coefficients import MagicFormula52, MagicFormula61
 from eom.tyre.parameters import Values
 from eom.tyre.range import inside, range_of
 from eom.tyre.slopes import slopes

@@ -11,7 +11,7 @@ from scipy.optimize import curve_fit
 
 from eom.errors import TyreError
 from eom.tyre import Dugoff, Linear, MagicFormula, MagicFormula52, MagicFormula61, Tyre, fit
-from eom.tyre.fit import tyre_with
+from eom.tyre.fitting.least_squares import tyre_with
 from eom.tyre.parameters import coefficients
 from eom.tyre.slopes import STEP, derivative
 from tests.tyre.random_sets import random_set_52, random_set_61

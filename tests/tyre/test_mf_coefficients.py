@@ -10,7 +10,7 @@ import pytest
 from eom.errors import TyreError
 from eom.tyre import MagicFormula52, MagicFormula61
 from eom.tyre.parameters import coefficients
-from eom.tyre.tir_keys import SECTION_OF, fields_of
+from eom.tyre.tir.keys import SECTION_OF, fields_of
 
 NEEDED: dict[str, Any] = {
     "FNOMIN": 4000.0,

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from eom.errors import TyreError
 from eom.tyre import Dugoff, Linear, MagicFormula, MagicFormula52, MagicFormula61, read_tir, stack, suspicions
-from eom.tyre.mf_scaling import Scaling61
+from eom.tyre.mf.scaling import Scaling61
 from eom.tyre.parameters import coefficients
 from tests.tyre.tyres import between, ellipse
 

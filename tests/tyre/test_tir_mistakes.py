@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 from eom.errors import DescriptionError, Mistake
 from eom.tyre import read_tir
-from eom.tyre.tir import MAX_BYTES, read_text
-from eom.tyre.tir_tyre import MAX_MISTAKES
+from eom.tyre.tir.file import MAX_BYTES, read_text
+from eom.tyre.tir.tyre import MAX_MISTAKES
 from tests.tyre.tir_samples import NEWER, PASSENGER_CAR
 
 FOLDER = Path(__file__).parent / "bad_tir"

@@ -13,9 +13,9 @@ from hypothesis import strategies as st
 
 from eom.errors import TyreError
 from eom.tyre import MagicFormula52, MagicFormula61, read_tir, write_tir
-from eom.tyre.mf_ranges import limits
-from eom.tyre.tir_keys import fields_of
-from eom.tyre.tir_write import tir_text
+from eom.tyre.mf.ranges import limits
+from eom.tyre.tir.keys import fields_of
+from eom.tyre.tir.write import tir_text
 from tests.tyre.tir_samples import NEWER, OTHER_UNITS, PASSENGER_CAR, read
 
 

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from eom.tyre.tir import TirFile, read_text
+from eom.tyre.tir.file import TirFile, read_text
 
 PASSENGER_CAR = Path(__file__).parents[2] / "vehicles" / "tyres" / "passenger_car.tir"
 FORCES = """\

@@ -6,10 +6,10 @@ import numpy as np
 
 from eom.errors import TyreError
 from eom.tyre.elementary import arctan, exp, magnitude, sin
+from eom.tyre.mf.coefficients import MagicFormula52, MagicFormula61
 from eom.tyre.mf.lateral import cornering_stiffness_61
 from eom.tyre.mf.longitudinal import slip_stiffness
 from eom.tyre.mf.state import State, book_state, tool_state
-from eom.tyre.mf_coefficients import MagicFormula52, MagicFormula61
 from eom.tyre.parameters import Values
 
 

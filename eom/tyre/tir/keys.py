@@ -4,30 +4,34 @@ import dataclasses
 from collections.abc import Mapping
 from typing import Any
 
-from eom.tyre import mf_conditions, mf_forces, mf_moments, mf_ranges, mf_scaling
-from eom.tyre.mf_coefficients import MagicFormula52, MagicFormula61
+from eom.tyre.mf import conditions, force_coefficients, moment_coefficients, ranges, scaling
+from eom.tyre.mf.coefficients import MagicFormula52, MagicFormula61
 
 Tyre = MagicFormula61 | MagicFormula52
 
 # per section the classes whose fields stand in it, in the order in which a file is written
 SECTIONS: Mapping[str, tuple[type, ...]] = {
-    "MODEL": (mf_conditions.Model,),
-    "DIMENSION": (mf_conditions.Dimension,),
-    "OPERATING_CONDITIONS": (mf_conditions.OperatingConditions,),
-    "VERTICAL": (mf_conditions.Vertical, mf_conditions.Vertical61),
-    "STRUCTURAL": (mf_conditions.Structural,),
-    "CONTACT_PATCH": (mf_conditions.Contact52,),
-    "INFLATION_PRESSURE_RANGE": (mf_ranges.InflationPressureRange,),
-    "VERTICAL_FORCE_RANGE": (mf_ranges.VerticalForceRange,),
-    "LONG_SLIP_RANGE": (mf_ranges.LongSlipRange,),
-    "SLIP_ANGLE_RANGE": (mf_ranges.SlipAngleRange,),
-    "INCLINATION_ANGLE_RANGE": (mf_ranges.InclinationAngleRange,),
-    "SCALING_COEFFICIENTS": (mf_scaling.Scaling, mf_scaling.Scaling61, mf_scaling.Scaling52),
-    "LONGITUDINAL_COEFFICIENTS": (mf_forces.Longitudinal, mf_forces.Longitudinal61, mf_forces.Longitudinal52),
-    "OVERTURNING_COEFFICIENTS": (mf_moments.Overturning, mf_moments.Overturning61),
-    "LATERAL_COEFFICIENTS": (mf_forces.Lateral, mf_forces.Lateral61, mf_forces.Lateral52),
-    "ROLLING_COEFFICIENTS": (mf_moments.Rolling, mf_moments.Rolling61),
-    "ALIGNING_COEFFICIENTS": (mf_moments.Aligning, mf_moments.Aligning61),
+    "MODEL": (conditions.Model,),
+    "DIMENSION": (conditions.Dimension,),
+    "OPERATING_CONDITIONS": (conditions.OperatingConditions,),
+    "VERTICAL": (conditions.Vertical, conditions.Vertical61),
+    "STRUCTURAL": (conditions.Structural,),
+    "CONTACT_PATCH": (conditions.Contact52,),
+    "INFLATION_PRESSURE_RANGE": (ranges.InflationPressureRange,),
+    "VERTICAL_FORCE_RANGE": (ranges.VerticalForceRange,),
+    "LONG_SLIP_RANGE": (ranges.LongSlipRange,),
+    "SLIP_ANGLE_RANGE": (ranges.SlipAngleRange,),
+    "INCLINATION_ANGLE_RANGE": (ranges.InclinationAngleRange,),
+    "SCALING_COEFFICIENTS": (scaling.Scaling, scaling.Scaling61, scaling.Scaling52),
+    "LONGITUDINAL_COEFFICIENTS": (
+        force_coefficients.Longitudinal,
+        force_coefficients.Longitudinal61,
+        force_coefficients.Longitudinal52,
+    ),
+    "OVERTURNING_COEFFICIENTS": (moment_coefficients.Overturning, moment_coefficients.Overturning61),
+    "LATERAL_COEFFICIENTS": (force_coefficients.Lateral, force_coefficients.Lateral61, force_coefficients.Lateral52),
+    "ROLLING_COEFFICIENTS": (moment_coefficients.Rolling, moment_coefficients.Rolling61),
+    "ALIGNING_COEFFICIENTS": (moment_coefficients.Aligning, moment_coefficients.Aligning61),
 }
 HEADERS = frozenset({"MDI_HEADER", "HEADER"})
 SECTION_OF: Mapping[str, str] = {

@@ -5,11 +5,11 @@ from typing import Any
 
 import numpy as np
 
-from eom.tyre.mf_coefficients import MagicFormula61
-from eom.tyre.mf_scaling import Scaling52, Scaling61
+from eom.tyre.mf.coefficients import MagicFormula61
+from eom.tyre.mf.scaling import Scaling52, Scaling61
 from eom.tyre.parameters import coefficients
 from eom.tyre.range import range_of
-from eom.tyre.suspicion_words import Rule, corners, drives, told
+from eom.tyre.suspicion.words import Rule, corners, drives, told
 
 PRESSURE = 0.3
 """Relative distance from the nominal pressure over which pressure terms are measured."""

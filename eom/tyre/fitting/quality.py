@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from eom.tyre.fit_data import Array, Points
+from eom.tyre.fitting.data import Array, Points
 
 ARM = 0.1
 """Length [m] that makes a moment per load comparable to a force per load: the size of a large pneumatic trail."""

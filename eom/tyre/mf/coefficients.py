@@ -8,8 +8,7 @@ import numpy as np
 
 from eom.errors import TyreError
 from eom.tyre.interface import REFERENCE_SPEED, Forces, Formula, evaluate
-from eom.tyre.mf.formulas import book_61, tool_52, tool_61
-from eom.tyre.mf_conditions import (
+from eom.tyre.mf.conditions import (
     AS_NOMINAL,
     Contact52,
     Dimension,
@@ -19,9 +18,10 @@ from eom.tyre.mf_conditions import (
     Vertical,
     Vertical61,
 )
-from eom.tyre.mf_forces import Lateral52, Lateral61, Longitudinal52, Longitudinal61
-from eom.tyre.mf_moments import Aligning, Aligning61, Overturning, Overturning61, Rolling, Rolling61
-from eom.tyre.mf_ranges import (
+from eom.tyre.mf.force_coefficients import Lateral52, Lateral61, Longitudinal52, Longitudinal61
+from eom.tyre.mf.formulas import book_61, tool_52, tool_61
+from eom.tyre.mf.moment_coefficients import Aligning, Aligning61, Overturning, Overturning61, Rolling, Rolling61
+from eom.tyre.mf.ranges import (
     InclinationAngleRange,
     InflationPressureRange,
     LongSlipRange,
@@ -29,7 +29,7 @@ from eom.tyre.mf_ranges import (
     VerticalForceRange,
     range_problems,
 )
-from eom.tyre.mf_scaling import Scaling52, Scaling61
+from eom.tyre.mf.scaling import Scaling52, Scaling61
 from eom.tyre.parameters import Values, bound_problems
 
 Form = Literal["tool", "book"]

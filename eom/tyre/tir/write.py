@@ -7,9 +7,9 @@ from pathlib import Path
 import numpy as np
 
 from eom.errors import TyreError
-from eom.tyre.mf_coefficients import MagicFormula52, MagicFormula61
-from eom.tyre.tir_keys import SECTION_OF, SECTIONS, Tyre, fields_of
-from eom.tyre.tir_model import USES
+from eom.tyre.mf.coefficients import MagicFormula52, MagicFormula61
+from eom.tyre.tir.keys import SECTION_OF, SECTIONS, Tyre, fields_of
+from eom.tyre.tir.model import USES
 
 HEAD = """\
 [MDI_HEADER]

@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from eom.errors import TyreError
-from eom.tyre.fit_data import Points, points_of
-from eom.tyre.fit_quality import Residual, at_bounds, residuals_of, scales_of, uncertainty
+from eom.tyre.fitting.data import Points, points_of
+from eom.tyre.fitting.quality import Residual, at_bounds, residuals_of, scales_of, uncertainty
 from eom.tyre.interface import Tyre
 from eom.tyre.parameters import coefficients
 from eom.tyre.slopes import STEP, derivative

@@ -5,9 +5,9 @@ from collections.abc import Collection, Iterable
 from itertools import groupby
 from typing import Any
 
-from eom.tyre.mf_coefficients import MagicFormula52, MagicFormula61
-from eom.tyre.tir_keys import HEADERS, SECTIONS, SHAPE_OF, SUBJECT_OF, WITHOUT_MEANING, Tyre, fields_of, is_coefficient
-from eom.tyre.tir_text import Entry, TirText, number, shown
+from eom.tyre.mf.coefficients import MagicFormula52, MagicFormula61
+from eom.tyre.tir.keys import HEADERS, SECTIONS, SHAPE_OF, SUBJECT_OF, WITHOUT_MEANING, Tyre, fields_of, is_coefficient
+from eom.tyre.tir.text import Entry, TirText, number, shown
 
 MAX_GUESSES, MAX_KEY, MAX_LISTED = 50, 40, 30
 NAMES: dict[type[Tyre], str] = {MagicFormula61: "the Magic Formula 6.1", MagicFormula52: "the Magic Formula 5.2"}

@@ -12,11 +12,11 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 from eom.errors import DescriptionError, Mistake, TyreError
-from eom.tyre.tir_keys import Tyre, fields_of
-from eom.tyre.tir_numbers import Place
-from eom.tyre.tir_text import number, parse
-from eom.tyre.tir_tyre import read_tyre
-from eom.tyre.tir_write import write_whole
+from eom.tyre.tir.keys import Tyre, fields_of
+from eom.tyre.tir.numbers import Place
+from eom.tyre.tir.text import number, parse
+from eom.tyre.tir.tyre import read_tyre
+from eom.tyre.tir.write import write_whole
 
 MAX_BYTES, HEAD_BYTES = 1_000_000, 4096
 EXACT = Context(prec=30)

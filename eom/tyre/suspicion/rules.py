@@ -5,12 +5,12 @@ import numpy as np
 from eom.errors import TyreError
 from eom.tyre.interface import Tyre
 from eom.tyre.magic_formula import MagicFormula
-from eom.tyre.mf_coefficients import MagicFormula52, MagicFormula61
+from eom.tyre.mf.coefficients import MagicFormula52, MagicFormula61
 from eom.tyre.parameters import coefficients
-from eom.tyre.suspicion_behaviour import BEHAVIOUR
-from eom.tyre.suspicion_coefficients import COEFFICIENTS
-from eom.tyre.suspicion_combined import COMBINED
-from eom.tyre.suspicion_curves import MAGIC_CURVES, THESIS_CURVES
+from eom.tyre.suspicion.behaviour import BEHAVIOUR
+from eom.tyre.suspicion.coefficients import COEFFICIENTS
+from eom.tyre.suspicion.combined import COMBINED
+from eom.tyre.suspicion.curves import MAGIC_CURVES, THESIS_CURVES
 
 
 # coefficients beyond all sense divide by zero; what is then no number is suspicious, or no matter for a rule

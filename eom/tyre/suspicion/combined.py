@@ -9,7 +9,7 @@ import numpy as np
 from eom.tyre.branch import Array
 from eom.tyre.linear import Linear
 from eom.tyre.range import range_of
-from eom.tyre.suspicion_words import Rule, corners, drives, told
+from eom.tyre.suspicion.words import Rule, corners, drives, told
 
 FINE = 81
 SECTORS = 48

@@ -4,12 +4,12 @@ from collections.abc import Mapping
 from dataclasses import MISSING
 from fractions import Fraction
 
-from eom.tyre.mf_coefficients import MagicFormula61
-from eom.tyre.mf_ranges import range_problems
+from eom.tyre.mf.coefficients import MagicFormula61
+from eom.tyre.mf.ranges import range_problems
 from eom.tyre.parameters import problem_of
-from eom.tyre.tir_keys import SECTION_OF, Tyre, fields_of
-from eom.tyre.tir_leftovers import listed
-from eom.tyre.tir_text import Entry, TirText, number, shown
+from eom.tyre.tir.keys import SECTION_OF, Tyre, fields_of
+from eom.tyre.tir.leftovers import listed
+from eom.tyre.tir.text import Entry, TirText, number, shown
 
 Place = tuple[tuple[Entry, ...], Fraction]
 """The entries that say a coefficient, and the factor from their unit to SI."""

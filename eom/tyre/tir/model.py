@@ -3,9 +3,9 @@
 from collections.abc import Mapping
 from typing import Any, get_args
 
-from eom.tyre.mf_coefficients import Form, MagicFormula52, MagicFormula61, Use
-from eom.tyre.tir_keys import Tyre
-from eom.tyre.tir_text import Entry, TirText, number, shown
+from eom.tyre.mf.coefficients import Form, MagicFormula52, MagicFormula61, Use
+from eom.tyre.tir.keys import Tyre
+from eom.tyre.tir.text import Entry, TirText, number, shown
 
 KEYS = frozenset({"PROPERTY_FILE_FORMAT", "FITTYP", "USE_MODE", "TYRESIDE", "FORM"})
 VERSIONS: dict[int, type[Tyre]] = {

@@ -5,12 +5,12 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from eom.errors import DescriptionError, Mistake
-from eom.tyre.tir_keys import ALIASES, HEADERS, SECTION_OF, SECTIONS, Tyre, fields_of, is_coefficient, unit_of
-from eom.tyre.tir_leftovers import listed, read_leftovers, read_rows
-from eom.tyre.tir_model import KEYS, model_entries, read_model, read_version
-from eom.tyre.tir_numbers import Place, check_missing, check_ranges, note_pressure, read_number
-from eom.tyre.tir_text import Entry, TirText
-from eom.tyre.tir_units import factor_of, read_units
+from eom.tyre.tir.keys import ALIASES, HEADERS, SECTION_OF, SECTIONS, Tyre, fields_of, is_coefficient, unit_of
+from eom.tyre.tir.leftovers import listed, read_leftovers, read_rows
+from eom.tyre.tir.model import KEYS, model_entries, read_model, read_version
+from eom.tyre.tir.numbers import Place, check_missing, check_ranges, note_pressure, read_number
+from eom.tyre.tir.text import Entry, TirText
+from eom.tyre.tir.units import factor_of, read_units
 
 MAX_MISTAKES = 100
 

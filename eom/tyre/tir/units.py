@@ -4,8 +4,8 @@ import math
 from collections.abc import Mapping
 from fractions import Fraction
 
-from eom.tyre.tir_keys import HEADERS
-from eom.tyre.tir_text import Entry, TirText, shown
+from eom.tyre.tir.keys import HEADERS
+from eom.tyre.tir.text import Entry, TirText, shown
 
 FOOT, POUND = Fraction(3048, 10000), Fraction(45359237, 10**8)
 POUND_FORCE = POUND * Fraction(980665, 100000)

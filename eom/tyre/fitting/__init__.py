@@ -1,0 +1,1 @@
+"""Coefficients of a tyre from stiffnesses and measurements."""

@@ -1,0 +1,1 @@
+"""What is suspicious about the coefficients of a tyre."""

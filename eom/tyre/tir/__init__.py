@@ -1,0 +1,1 @@
+"""Files of tyre coefficients, `.tir`: read, noted, refused, written."""
