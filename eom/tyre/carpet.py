@@ -95,6 +95,8 @@ def loads_of(sweep: Sweep) -> list[str]:
     return [f"{load * KILO:.3g} kN" for load in sweep.Fz[:, 0]]
 
 
+# coefficients beyond all sense divide by zero: such a force is no number
+@np.errstate(divide="ignore", invalid="ignore", over="ignore")
 def carpet(tyre: Tyre, title: str = "") -> Carpet:
     """Curves of one tyre within its range, as far as that is usual.
 

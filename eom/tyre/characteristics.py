@@ -48,6 +48,8 @@ class Characteristics(NamedTuple):
     relaxation: Relaxation
 
 
+# coefficients beyond all sense divide by zero: such a figure is no number
+@np.errstate(divide="ignore", invalid="ignore", over="ignore")
 def characteristics(tyre: Tyre, Fz: Values) -> Characteristics:
     """Figures of one tyre at loads [N]; raises `TyreError` for loads that are no finite numbers above zero."""
     loads = np.atleast_1d(as_numbers("Fz", Fz))

@@ -1,5 +1,6 @@
 """Figures over load, and curves."""
 
+import dataclasses
 from pathlib import Path
 
 import numpy as np
@@ -70,10 +71,17 @@ def test_what_a_model_does_not_have_is_no_number() -> None:
     assert np.array_equal(found.kappa, expected.kappa)
 
 
+def test_a_carcass_without_stiffness_has_no_relaxation_length() -> None:
+    # the lateral stiffness 1 + PCFY1 dfz vanishes at half the nominal load
+    assert isinstance(CAR, MagicFormula61)
+    figures = characteristics(dataclasses.replace(CAR, PCFY1=2.0), np.array([2000.0, 4000.0]))
+    assert np.isfinite(figures.relaxation.alpha).tolist() == [False, True]
+
+
 def test_loads_are_those_within_the_range() -> None:
     assert isinstance(CAR, MagicFormula61)
     assert usual_loads(CAR).tolist() == [1000.0, 2000.0, 3000.0, 4000.0, 5000.0, 6000.0, 8000.0]
-    narrow = MagicFormula61(**{**CAR.__dict__, "FZMIN": 4100.0, "FZMAX": 4900.0})
+    narrow = dataclasses.replace(CAR, FZMIN=4100.0, FZMAX=4900.0)
     assert usual_loads(narrow).tolist() == [4100.0, 4900.0]
     assert range_of(narrow).Fz == (4100.0, 4900.0)
 

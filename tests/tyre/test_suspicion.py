@@ -174,6 +174,13 @@ def test_friction_and_stiffness_of_dugoffs_tyre() -> None:
         assert piece in told
 
 
+def test_a_set_beyond_all_sense_has_sentences_and_no_error() -> None:
+    # no cornering stiffness at all: camber shifts the curve by a ratio of two zeros
+    assert isinstance(CAR, MagicFormula61)
+    found = suspicions(dataclasses.replace(CAR, PKY4=0.0))
+    assert any("cornering stiffness over load is nan 1/rad at nominal load" in text for text in found), found
+
+
 def test_a_stack_of_tyres_is_refused() -> None:
     with pytest.raises(TyreError, match="expected one tyre, not a stack"):
         suspicions(stack([THESIS, THESIS]))

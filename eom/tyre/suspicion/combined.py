@@ -96,7 +96,10 @@ def envelope(tyre: Any) -> Iterator[str]:
     """A dent in the outline of all forces: rubber slides in the direction that wastes most, so it has none."""
     if not meets(tyre):
         return
-    depth, direction = deepest_dent(grid_of(tyre))
+    grid = grid_of(tyre)
+    if not np.all(np.isfinite([grid.x, grid.y])):
+        return
+    depth, direction = deepest_dent(grid)
     if depth > DENT:
         yield (
             f"{weights(tyre)}: the outline of the forces has a dent of {100.0 * (depth - 1.0):.0f} % at "

@@ -13,6 +13,8 @@ from eom.tyre.suspicion.combined import COMBINED
 from eom.tyre.suspicion.curves import MAGIC_CURVES, THESIS_CURVES
 
 
+# coefficients beyond all sense divide by zero; what is then no number is suspicious, or no matter for a rule
+@np.errstate(divide="ignore", invalid="ignore", over="ignore")
 def suspicions(tyre: Tyre) -> tuple[str, ...]:
     """A sentence for each suspicious thing about one tyre: the coefficient, its value, and why.
 
