@@ -92,4 +92,7 @@ def root(function: Curve, lower: Array, upper: Array, tolerance: float = 0.0) ->
         return function(whole).reshape(-1)[places]
 
     places = np.arange(whole.size).reshape(whole.shape)
-    return np.asarray(elementwise.find_root(some, (lower, upper), args=(places,), tolerances={"xatol": tolerance}).x)
+    # its interpolation divides by differences of forces, which may be as good as zero: it bisects then
+    with np.errstate(all="ignore"):
+        found = elementwise.find_root(some, (lower, upper), args=(places,), tolerances={"xatol": tolerance})
+    return np.asarray(found.x)

@@ -7,7 +7,7 @@ import numpy as np
 
 from eom.tyre.interface import Forces, Tyre
 from eom.tyre.parameters import Values
-from eom.tyre.range import inside, range_of
+from eom.tyre.usual_range import inside, range_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

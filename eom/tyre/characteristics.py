@@ -10,8 +10,8 @@ from eom.tyre.interface import Tyre, as_numbers
 from eom.tyre.mf.coefficients import MagicFormula52, MagicFormula61
 from eom.tyre.mf.relaxation import Relaxation, relaxation_lengths
 from eom.tyre.parameters import Values
-from eom.tyre.range import inside, range_of
 from eom.tyre.slopes import slopes
+from eom.tyre.usual_range import inside, range_of
 
 
 class Peak(NamedTuple):

@@ -11,7 +11,7 @@ from eom.errors import TyreError
 from eom.tyre import Dugoff, Linear, MagicFormula, MagicFormula61, read_tir, relaxation_lengths
 from eom.tyre.carpet import carpet
 from eom.tyre.characteristics import characteristics, usual_loads
-from eom.tyre.range import range_of
+from eom.tyre.usual_range import range_of
 from tests.tyre.tyres import ellipse, plain_61
 
 CAR = read_tir(Path(__file__).parents[2] / "vehicles" / "tyres" / "passenger_car.tir").tyre

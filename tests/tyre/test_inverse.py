@@ -116,6 +116,14 @@ def test_shifts_of_all_kinds_change_nothing_of_that(form: str, seed: int) -> Non
         assert np.array_equal(saturated, ~reached)
 
 
+@pytest.mark.parametrize("Fy", [2.2e-308, -1e-320, 1e-200])
+def test_a_demand_next_to_nothing_needs_no_slip_angle_to_speak_of(Fy: float) -> None:
+    tyre = Dugoff(nominal_load=4000.0, cornering=2e4, longitudinal=2e4, friction=1.0)
+    alpha, saturated = slip_angle_for(tyre, Fy, 1001.0)
+    assert not saturated
+    assert abs(alpha) < 1e-16
+
+
 def test_a_linear_tyre_needs_force_over_stiffness_and_ends_at_a_right_angle() -> None:
     tyre = Linear(nominal_load=4000.0, cornering=6e4, camber=3e3)
     alpha, saturated = slip_angle_for(tyre, np.array([-3000.0, 1e6, -1e6]), 4000.0, gamma=0.1)

@@ -9,9 +9,9 @@ from eom.tyre.branch import Array, Curve, branch
 from eom.tyre.characteristics import characteristics
 from eom.tyre.interface import Tyre
 from eom.tyre.linear import Linear
-from eom.tyre.range import range_of
 from eom.tyre.slopes import slopes
 from eom.tyre.suspicion.words import Rule, corners, drives, told
+from eom.tyre.usual_range import range_of
 
 CORNERING = ("PKY1", "PKY2", "LKY", "k_y", "cornering")
 LONGITUDINAL = ("PKX1", "PKX2", "PKX3", "LKX", "k_x", "longitudinal")

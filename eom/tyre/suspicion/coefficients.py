@@ -8,8 +8,8 @@ import numpy as np
 from eom.tyre.mf.coefficients import MagicFormula61
 from eom.tyre.mf.scaling import Scaling52, Scaling61
 from eom.tyre.parameters import coefficients
-from eom.tyre.range import range_of
 from eom.tyre.suspicion.words import Rule, corners, drives, told
+from eom.tyre.usual_range import range_of
 
 PRESSURE = 0.3
 """Relative distance from the nominal pressure over which pressure terms are measured."""

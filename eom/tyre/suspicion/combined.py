@@ -8,8 +8,8 @@ import numpy as np
 
 from eom.tyre.branch import Array
 from eom.tyre.linear import Linear
-from eom.tyre.range import range_of
 from eom.tyre.suspicion.words import Rule, corners, drives, told
+from eom.tyre.usual_range import range_of
 
 FINE = 81
 SECTORS = 48

@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 
 from eom.tyre.branch import Array
-from eom.tyre.range import range_of
 from eom.tyre.suspicion.words import Rule, told
+from eom.tyre.usual_range import range_of
 
 PLAUSIBLE_SHAPE = (0.5, 2.5)
 """C: below one a force has no peak, near two it falls to nothing at large slip."""

@@ -19,7 +19,7 @@ def suspicions(tyre: Tyre) -> tuple[str, ...]:
     """A sentence for each suspicious thing about one tyre: the coefficient, its value, and why.
 
     A sane set of coefficients has none. A suspicion is no mistake: the tyre computes what its coefficients say.
-    Looked at are loads, slips and camber in the tyre's range as far as it is usual (`eom.tyre.range.range_of`).
+    Looked at are loads, slips and camber in the tyre's range as far as it is usual (`eom.tyre.usual_range.range_of`).
 
     Raises
     ------
