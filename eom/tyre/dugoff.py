@@ -7,41 +7,28 @@ SAE paper 700377, 1970; here with friction that does not fall with speed.
 from dataclasses import dataclass
 from typing import Any
 
-from eom.tyre.contact import contact, rolling_sense, rolling_speed
+from eom.tyre.contact import contact, rolling_sense
 from eom.tyre.elementary import maximum, minimum, sqrt, tan
-from eom.tyre.interface import REFERENCE_SPEED, Forces, Formula, evaluate
-from eom.tyre.linear import LOW_SPEED
-from eom.tyre.parameters import Values, check_bounds, coefficient
+from eom.tyre.interface import Formula
+from eom.tyre.parameters import Values, coefficient
+from eom.tyre.wheel import LOW_SPEED, Wheel, resistance_moment
 
 LOCKING = 0.1
 """Width in slip of the passage from a braked wheel, 1 + kappa > 0, to one that turns backwards."""
 
 
 @dataclass(frozen=True, kw_only=True)
-class Dugoff:
+class Dugoff(Wheel):
     """Dugoff's tyre. Raises `TyreError` for numbers that cannot be."""
 
-    nominal_load: float = coefficient("load at which the stiffnesses hold", "N", above=0.0)
-    cornering: float = coefficient("side force per slip angle", "N/rad", above=0.0)
-    longitudinal: float = coefficient("longitudinal force per slip", "N", above=0.0)
-    friction: float = coefficient("friction coefficient of tyre and road", above=0.0)
-    trail: float = coefficient("pneumatic trail at small slip", "m", default=0.0)
-    rolling_resistance: float = coefficient("rolling resistance per load", default=0.0, at_least=0.0)
-    radius: float = coefficient("rolling radius", "m", default=0.0, at_least=0.0)
-
-    def __post_init__(self) -> None:
-        check_bounds(self)
+    cornering: Values = coefficient("side force per slip angle", "N/rad", above=0.0)
+    longitudinal: Values = coefficient("longitudinal force per slip", "N", above=0.0)
+    friction: Values = coefficient("friction coefficient of tyre and road", above=0.0)
 
     @property
     def formula(self) -> Formula:
         """The equations."""
         return dugoff_forces
-
-    def forces(
-        self, alpha: Values, kappa: Values, Fz: Values, gamma: Values = 0.0, speed: Values = REFERENCE_SPEED
-    ) -> Forces:
-        """Forces and moments, see `eom.tyre.Tyre.forces`; camber has no effect."""
-        return evaluate(self, alpha, kappa, Fz, gamma, speed)
 
 
 def dugoff_forces(
@@ -70,5 +57,5 @@ def dugoff_forces(
     m = grip * roll / limit
     per_stiffness = share * grip * (2.0 - m) / limit
     Fx, Fy = per_stiffness * drive, -per_stiffness * side
-    My = -p.rolling_resistance * p.radius * share * load * rolling_sense(rolling_speed(kappa, speed), LOW_SPEED)
+    My = resistance_moment(p, share * load, kappa, speed)
     return Fx, Fy, 0.0 * Fy, My, -p.trail * m * (2.0 - m) * Fy

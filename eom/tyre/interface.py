@@ -68,7 +68,13 @@ class Tyre(Protocol):
         -------
         Forces
             Of the shape of the arguments together.
+
+        Raises
+        ------
+        TyreError
+            For arguments that are no finite numbers, or whose shapes do not fit together.
         """
+        return evaluate(self, alpha, kappa, Fz, gamma, speed)
 
 
 def evaluate(tyre: Tyre, *arguments: Values) -> Forces:

@@ -4,19 +4,19 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from eom.errors import TyreError
-from eom.tyre.contact import contact, rolling_sense, rolling_speed
+from eom.tyre.contact import contact
 from eom.tyre.curve import sine
 from eom.tyre.elementary import arctan, cos, sqrt
-from eom.tyre.interface import REFERENCE_SPEED, Forces, Formula, evaluate
-from eom.tyre.linear import LOW_SPEED
-from eom.tyre.parameters import Values, check_bounds, coefficient
+from eom.tyre.interface import Formula
+from eom.tyre.parameters import Values, coefficient
+from eom.tyre.wheel import Wheel, resistance_moment
 
 TINY = 1e-300
 """Square of a slip so small that it changes no number; keeps a ratio of two zeros one."""
 
 
 @dataclass(frozen=True, kw_only=True)
-class MagicFormula:
+class MagicFormula(Wheel):
     """The Magic Formula of the thesis. Raises `TyreError` for numbers that cannot be.
 
     Each coefficient is a polynomial of f = Fz/nominal_load - 1, with ``_load`` before f and ``_load2`` before f^2.
@@ -25,39 +25,35 @@ class MagicFormula:
     cosine weighting of the other slip (Pacejka 2012, 4.E50 and 4.E58 without shifts).
     """
 
-    nominal_load: float = coefficient("load at which f is zero", "N", above=0.0)
-    C_x: float = coefficient("shape factor of the longitudinal force", default=1.65, above=0.0)
-    C_x_load: float = coefficient("its change with load", default=0.0)
-    mu_x: float = coefficient("longitudinal friction", above=0.0)
-    mu_x_load: float = coefficient("its change with load", default=0.0)
-    k_x: float = coefficient("longitudinal slip stiffness per load", above=0.0)
-    k_x_load: float = coefficient("its change with load", default=0.0)
-    k_x_load2: float = coefficient("its change with load squared", default=0.0)
-    E_x: float = coefficient("curvature factor of the longitudinal force", default=0.0, at_most=1.0)
-    E_x_load: float = coefficient("its change with load", default=0.0)
-    C_y: float = coefficient("shape factor of the side force", default=1.3, above=0.0)
-    C_y_load: float = coefficient("its change with load", default=0.0)
-    mu_y: float = coefficient("lateral friction", above=0.0)
-    mu_y_load: float = coefficient("its change with load", default=0.0)
-    k_y: float = coefficient("cornering stiffness per load", "1/rad", above=0.0)
-    k_y_load: float = coefficient("its change with load", "1/rad", default=0.0)
-    k_y_load2: float = coefficient("its change with load squared", "1/rad", default=0.0)
-    E_y: float = coefficient("curvature factor of the side force", default=0.0, at_most=1.0)
-    E_y_load: float = coefficient("its change with load", default=0.0)
-    k_gamma: float = coefficient("camber stiffness per load", "1/rad", default=0.0)
-    RBX1: float = coefficient("cosine weighting of Fx: slope", "1/rad", default=10.0, at_least=0.0)
-    RBX2: float = coefficient("cosine weighting of Fx: change of slope with kappa", default=8.0)
-    RCX1: float = coefficient("cosine weighting of Fx: shape", default=1.0, at_least=0.0, at_most=1.0)
-    RBY1: float = coefficient("cosine weighting of Fy: slope", default=10.0, at_least=0.0)
-    RBY2: float = coefficient("cosine weighting of Fy: change of slope with alpha", "1/rad", default=8.0)
-    RCY1: float = coefficient("cosine weighting of Fy: shape", default=1.0, at_least=0.0, at_most=1.0)
-    trail: float = coefficient("pneumatic trail at small slip", "m", default=0.0)
-    rolling_resistance: float = coefficient("rolling resistance per load", default=0.0, at_least=0.0)
-    radius: float = coefficient("rolling radius", "m", default=0.0, at_least=0.0)
+    C_x: Values = coefficient("shape factor of the longitudinal force", default=1.65, above=0.0)
+    C_x_load: Values = coefficient("its change with load", default=0.0)
+    mu_x: Values = coefficient("longitudinal friction", above=0.0)
+    mu_x_load: Values = coefficient("its change with load", default=0.0)
+    k_x: Values = coefficient("longitudinal slip stiffness per load", above=0.0)
+    k_x_load: Values = coefficient("its change with load", default=0.0)
+    k_x_load2: Values = coefficient("its change with load squared", default=0.0)
+    E_x: Values = coefficient("curvature factor of the longitudinal force", default=0.0, at_most=1.0)
+    E_x_load: Values = coefficient("its change with load", default=0.0)
+    C_y: Values = coefficient("shape factor of the side force", default=1.3, above=0.0)
+    C_y_load: Values = coefficient("its change with load", default=0.0)
+    mu_y: Values = coefficient("lateral friction", above=0.0)
+    mu_y_load: Values = coefficient("its change with load", default=0.0)
+    k_y: Values = coefficient("cornering stiffness per load", "1/rad", above=0.0)
+    k_y_load: Values = coefficient("its change with load", "1/rad", default=0.0)
+    k_y_load2: Values = coefficient("its change with load squared", "1/rad", default=0.0)
+    E_y: Values = coefficient("curvature factor of the side force", default=0.0, at_most=1.0)
+    E_y_load: Values = coefficient("its change with load", default=0.0)
+    k_gamma: Values = coefficient("camber stiffness per load", "1/rad", default=0.0)
+    RBX1: Values = coefficient("cosine weighting of Fx: slope", "1/rad", default=10.0, at_least=0.0)
+    RBX2: Values = coefficient("cosine weighting of Fx: change of slope with kappa", default=8.0)
+    RCX1: Values = coefficient("cosine weighting of Fx: shape", default=1.0, at_least=0.0, at_most=1.0)
+    RBY1: Values = coefficient("cosine weighting of Fy: slope", default=10.0, at_least=0.0)
+    RBY2: Values = coefficient("cosine weighting of Fy: change of slope with alpha", "1/rad", default=8.0)
+    RCY1: Values = coefficient("cosine weighting of Fy: shape", default=1.0, at_least=0.0, at_most=1.0)
     combined: Literal["ellipse", "cosine"] = "ellipse"
 
     def __post_init__(self) -> None:
-        check_bounds(self)
+        super().__post_init__()
         if self.combined not in FORMULAS:
             raise TyreError(f"MagicFormula: combined = {self.combined!r}: expected 'ellipse' or 'cosine'")
 
@@ -65,12 +61,6 @@ class MagicFormula:
     def formula(self) -> Formula:
         """The equations."""
         return FORMULAS[self.combined]
-
-    def forces(
-        self, alpha: Values, kappa: Values, Fz: Values, gamma: Values = 0.0, speed: Values = REFERENCE_SPEED
-    ) -> Forces:
-        """Forces and moments, see `eom.tyre.Tyre.forces`."""
-        return evaluate(self, alpha, kappa, Fz, gamma, speed)
 
 
 def ellipse_forces(
@@ -90,7 +80,8 @@ def ellipse_forces(
     rho = sqrt(u * u + v * v + TINY)
     Fx = share * load * mu_x * (u / rho) * sine(rho / C_x, C_x, p.E_x + p.E_x_load * f)
     Fy = -share * load * mu_y * (v / rho) * sine(rho / C_y, C_y, p.E_y + p.E_y_load * f)
-    return Fx, Fy, 0.0 * Fy, *wheel_moments(p, share * load, (kappa, speed), (rho, Fy))
+    My = resistance_moment(p, share * load, kappa, speed)
+    return Fx, Fy, 0.0 * Fy, My, aligning_moment(p, rho, Fy)
 
 
 def cosine_forces(
@@ -109,7 +100,8 @@ def cosine_forces(
     G_y = cos(p.RCY1 * arctan(B_y * kappa))
     Fx = share * load * mu_x * G_x * sine(u / C_x, C_x, p.E_x + p.E_x_load * f)
     Fy = -share * load * mu_y * G_y * sine(v / C_y, C_y, p.E_y + p.E_y_load * f)
-    return Fx, Fy, 0.0 * Fy, *wheel_moments(p, share * load, (kappa, speed), (v, Fy))
+    My = resistance_moment(p, share * load, kappa, speed)
+    return Fx, Fy, 0.0 * Fy, My, aligning_moment(p, v, Fy)
 
 
 def friction_and_shape(p: MagicFormula, f: Values) -> tuple[Any, Any, Any, Any]:
@@ -117,13 +109,9 @@ def friction_and_shape(p: MagicFormula, f: Values) -> tuple[Any, Any, Any, Any]:
     return p.mu_x + p.mu_x_load * f, p.mu_y + p.mu_y_load * f, p.C_x + p.C_x_load * f, p.C_y + p.C_y_load * f
 
 
-def wheel_moments(
-    p: MagicFormula, load: Values, rolling: tuple[Values, Values], side: tuple[Values, Values]
-) -> tuple[Any, Any]:
-    """My of rolling resistance, and Mz by a trail that falls as cos^2(arctan slip), *side* being slip and force."""
-    sense_of_rolling = rolling_sense(rolling_speed(rolling[0], rolling[1]), LOW_SPEED)
-    slip, Fy = side
-    return -p.rolling_resistance * p.radius * load * sense_of_rolling, -p.trail * Fy / (1.0 + slip * slip)
+def aligning_moment(p: MagicFormula, slip: Values, Fy: Values) -> Any:
+    """Mz [N m] by a trail that falls as cos^2(arctan slip)."""
+    return -p.trail * Fy / (1.0 + slip * slip)
 
 
 FORMULAS = {"ellipse": ellipse_forces, "cosine": cosine_forces}

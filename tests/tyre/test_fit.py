@@ -17,7 +17,7 @@ from eom.tyre.slopes import STEP, derivative
 from tests.tyre.random_sets import random_set_52, random_set_61
 from tests.tyre.tyres import cosine, dugoff, ellipse
 
-NAMES = {
+NAMES: dict[Any, tuple[str, ...]] = {
     MagicFormula: ("mu_x", "mu_y", "mu_y_load", "k_x", "k_y", "k_y_load", "C_x", "C_y", "E_y", "trail"),
     Dugoff: ("friction", "cornering", "longitudinal", "trail"),
 }

@@ -7,7 +7,7 @@ from typing import Literal, Self, get_args
 import numpy as np
 
 from eom.errors import TyreError
-from eom.tyre.interface import REFERENCE_SPEED, Forces, Formula, evaluate
+from eom.tyre.interface import Formula, Tyre
 from eom.tyre.mf.conditions import (
     AS_NOMINAL,
     Contact52,
@@ -44,7 +44,7 @@ CHOICES = {
 
 
 @dataclass(frozen=True, kw_only=True)
-class Mounting(Model, Dimension, LongSlipRange, SlipAngleRange, InclinationAngleRange, VerticalForceRange):
+class Mounting(Tyre, Model, Dimension, LongSlipRange, SlipAngleRange, InclinationAngleRange, VerticalForceRange):
     """What both versions have beside the coefficients of their equations.
 
     Attributes
@@ -153,12 +153,6 @@ class MagicFormula61(
         """The equations."""
         return tool_61 if self.form == "tool" else book_61
 
-    def forces(
-        self, alpha: Values, kappa: Values, Fz: Values, gamma: Values = 0.0, speed: Values = REFERENCE_SPEED
-    ) -> Forces:
-        """Forces and moments, see `eom.tyre.Tyre.forces`."""
-        return evaluate(self, alpha, kappa, Fz, gamma, speed)
-
 
 @dataclass(frozen=True, kw_only=True)
 class MagicFormula52(
@@ -179,9 +173,3 @@ class MagicFormula52(
     def formula(self) -> Formula:
         """The equations."""
         return tool_52
-
-    def forces(
-        self, alpha: Values, kappa: Values, Fz: Values, gamma: Values = 0.0, speed: Values = REFERENCE_SPEED
-    ) -> Forces:
-        """Forces and moments, see `eom.tyre.Tyre.forces`."""
-        return evaluate(self, alpha, kappa, Fz, gamma, speed)

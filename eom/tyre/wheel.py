@@ -1,0 +1,29 @@
+"""What the simple tyre models share: the load that they are for, trail, and rolling resistance."""
+
+from dataclasses import dataclass
+from typing import Any
+
+from eom.tyre.contact import rolling_sense, rolling_speed
+from eom.tyre.interface import Tyre
+from eom.tyre.parameters import Values, check_bounds, coefficient
+
+LOW_SPEED = 1.0
+"""Speed of the tread [m/s] below which rolling resistance fades to zero at standstill."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Wheel(Tyre):
+    """Coefficients of a wheel with any simple tyre. Raises `TyreError` for numbers that cannot be."""
+
+    nominal_load: Values = coefficient("load that the coefficients are for", "N", above=0.0)
+    trail: Values = coefficient("pneumatic trail at small slip", "m", default=0.0)
+    rolling_resistance: Values = coefficient("rolling resistance per load", default=0.0, at_least=0.0)
+    radius: Values = coefficient("rolling radius", "m", default=0.0, at_least=0.0)
+
+    def __post_init__(self) -> None:
+        check_bounds(self)
+
+
+def resistance_moment(p: Wheel, load: Values, kappa: Values, speed: Values) -> Any:
+    """My [N m] of rolling resistance at a load [N]: against the wheel's rotation, through zero at standstill."""
+    return -p.rolling_resistance * p.radius * load * rolling_sense(rolling_speed(kappa, speed), LOW_SPEED)
