@@ -80,18 +80,53 @@ def test_a_zero_stands_for_the_letter_in_the_factor_of_nominal_load() -> None:
             OLDER + "PEY5 = 0\nPKY4 = 2\n[OPERATING_CONDITIONS]\nINFLPRES = 80000\n"
             "[OVERTURNING_COEFFICIENTS]\nQSX4 = 5\nQSX7 = 0\nQSX8 = 0\n",
             [
-                "19:1 OPERATING_CONDITIONS: not part of the Magic Formula 5.2 (INFLPRES)",
-                "21:1 OVERTURNING_COEFFICIENTS: not part of the Magic Formula 5.2 (QSX4)",
+                "19:1 OPERATING_CONDITIONS: not part of the Magic Formula 5.2 and without effect (INFLPRES)",
+                "21:1 OVERTURNING_COEFFICIENTS: not part of the Magic Formula 5.2 and without effect (QSX4)",
             ],
         ),
         (
             OLDER.replace("= 6\n", "= 6\nFE_METHOD = 'YES'\nBELT_DYNAMICS = 'NO'\nMFSAFE3 =\nTYPE = 'CAR'\n"),
-            ["3:1 MODEL: not modelled: PAC2002's own additions (FE_METHOD)"],
+            ["3:1 MODEL: not modelled: friction ellipse in place of combined-slip coefficients (FE_METHOD)"],
         ),
         (
             OLDER + "[SCALING_COEFFICIENTS]\nLCZ = 0.44\nLIP = 1\nLGYR = 1\n",
-            ["17:1 SCALING_COEFFICIENTS: not modelled: PAC2002's own additions (LCZ)"],
+            ["17:1 SCALING_COEFFICIENTS: not modelled: scale of VERTICAL_STIFFNESS, which stays as"],
         ),
+        (
+            OLDER + "[SCALING_COEFFICIENTS]\nLKG = 1.3\n[ALIGNING_COEFFICIENTS]\nQPZ1 = 0.1\n",
+            [
+                "17:1 SCALING_COEFFICIENTS: not modelled: PAC2002's own terms, which the forces and",
+                "19:1 ALIGNING_COEFFICIENTS: not modelled: PAC2002's own terms, which the forces and",
+            ],
+        ),
+        (OLDER.replace("= 6\n", "= 5\n"), ["2:1 MODEL.FITTYP: read by the equations of the Magic Formula 5.2"]),
+        (
+            OLDER.replace("FITTYP = 6\n", "PROPERTY_FILE_FORMAT = 'MF_05'\n"),
+            ["2:1 MODEL.PROPERTY_FILE_FORMAT: read by the equations of the Magic Formula 5.2"],
+        ),
+        (OLDER + "[TIRE_CONDITIONS]\nIP = 2.5E5\n", ["17:1 TIRE_CONDITIONS: not part of the Magic Formula 5.2"]),
+        (
+            OLDER + "PPY1 = 0.1\nPKY4 = 1.8\n[SCALING_COEFFICIENTS]\nLMUV = 0.5\n",
+            [
+                "16:1 LATERAL_COEFFICIENTS: not part of the Magic Formula 5.2 and without effect (PPY1, PKY4)",
+                "19:1 SCALING_COEFFICIENTS: not part of the Magic Formula 5.2 and without effect (LMUV)",
+            ],
+        ),
+        (
+            NEWER.replace("PKY2 = 1.5\n", "PKY2 = 1.5\nPHY3 = 0.1\n[SCALING_COEFFICIENTS]\nLGAY = 0\n"),
+            [
+                "16:1 LATERAL_COEFFICIENTS: not part of the Magic Formula 6.1 and without effect (PHY3)",
+                "18:1 SCALING_COEFFICIENTS: not part of the Magic Formula 6.1 and without effect (LGAY)",
+            ],
+        ),
+        (
+            NEWER.replace("FNOMIN = 4000\n", "FNOMIN = 4000\nBREFF =\nQ_RE0 = 0\nDREFF = $ 0.2\n"),
+            [
+                "7:1 VERTICAL: without a value, taken as not given: BREFF, DREFF",
+                "8:1 VERTICAL.Q_RE0: is 0, which it cannot be: taken as not given",
+            ],
+        ),
+        (NEWER + "[SCALING_COEFFICIENTS]\nLKYG = 1.07\n", ["20:1 SCALING_COEFFICIENTS.LKYG: read as LKYC"]),
     ],
 )
 def test_what_is_worth_knowing_is_noted_at_its_place_and_nothing_else(text: str, notes: list[str]) -> None:
@@ -104,3 +139,23 @@ def test_the_shipped_tyre_is_read_without_notes() -> None:
     file = read_tir(PASSENGER_CAR)
     assert file.notes == ()
     assert (file.tyre.side, file.tyre.use, file.tyre.FNOMIN) == ("left", "combined", 4000.0)
+
+
+@pytest.mark.parametrize(
+    ("text", "use", "zero", "section"),
+    [
+        (NEWER.replace("PCX1 = 1.6\nPDX1 = 1.1\nPKX1 = 20\n", ""), "lateral", "Fx", 7),
+        (OLDER.replace("1.6", "0").replace("1.1", "0").replace("= 20\n", "= 0\n"), "lateral", "Fx", 7),
+        (NEWER.replace("PCY1 = 1.3\nPDY1 = 1.0\nPKY1 = -20\nPKY2 = 1.5\n", ""), "longitudinal", "Fy", 11),
+    ],
+)
+def test_a_tyre_without_coefficients_of_one_direction_has_the_forces_of_the_other(
+    text: str, use: str, zero: str, section: int
+) -> None:
+    file = read(text)
+    forces = file.tyre.forces(0.05, 0.05, 4000.0)._asdict()
+    assert file.tyre.use == use
+    assert forces[zero] == 0.0
+    assert abs(forces[{"Fx": "Fy", "Fy": "Fx"}[zero]]) > 1000.0
+    assert [note.line for note in file.notes] == [section]
+    assert f"read for {use} use" in file.notes[0].what

@@ -134,3 +134,9 @@ def test_a_change_that_would_change_more_is_refused() -> None:
     text = NEWER.replace("INFLPRES = 230000\n", "")
     with pytest.raises(TyreError, match="INFLPRES is not in the file and would follow NOMPRES"):
         read(text).text_with(NOMPRES=2e5)
+
+
+def test_a_number_is_written_in_the_unit_of_its_file_as_short_as_it_can_be() -> None:
+    changed = read(OTHER_UNITS).text_with(UNLOADED_RADIUS=0.4321, INFLPRES=210e3)
+    assert "UNLOADED_RADIUS = 432.1\n" in changed
+    assert "INFLPRES = 2.1\n" in changed

@@ -86,7 +86,7 @@ class TirFile:
 
 
 def read_tir(path: str | Path) -> TirFile:
-    """Read a .tir file of the Magic Formula 6.1, 6.0 or 6.2 (FITTYP 61, 60, 62), or 5.2 (FITTYP 6, PAC2002).
+    """Read a .tir file of the Magic Formula 6.1, 6.0 or 6.2 (FITTYP 61, 60, 62), or 5.2 (FITTYP 6, 5, PAC2002).
 
     Parameters
     ----------
@@ -153,11 +153,12 @@ def plain(name: str, value: object) -> float:
 def written(value: float, factor: Fraction) -> str:
     """The number in a file's unit that reads as *value* in SI: as short as repr if that is exact, else in 30 digits."""
     exact = Fraction(value) / factor
-    try:
-        short = repr(float(exact))
+    for likely in (Fraction(repr(value)) / factor, exact):
+        try:
+            short = repr(float(likely))
+        except OverflowError:
+            # the number is beyond floats in the file's unit alone
+            continue
         if float((number(short) or 0) * factor) == value:
             return short
-    except OverflowError:
-        # the number is beyond floats in the file's unit alone
-        pass
     return str(EXACT.divide(Decimal(exact.numerator), Decimal(exact.denominator)))

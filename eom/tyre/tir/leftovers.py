@@ -3,10 +3,9 @@
 import difflib
 from collections.abc import Collection, Iterable
 from itertools import groupby
-from typing import Any
 
 from eom.tyre.mf.coefficients import MagicFormula52, MagicFormula61
-from eom.tyre.tir.keys import HEADERS, SECTIONS, SHAPE_OF, SUBJECT_OF, WITHOUT_MEANING, Tyre, fields_of, is_coefficient
+from eom.tyre.tir.keys import ALIASES, HEADERS, OTHER_SECTIONS, SECTIONS, SUBJECT_OF, WITHOUT_MEANING, Tyre, fields_of
 from eom.tyre.tir.text import Entry, TirText, number, shown
 
 MAX_GUESSES, MAX_KEY, MAX_LISTED = 50, 40, 30
@@ -22,24 +21,17 @@ def read_leftovers(text: TirText, version: type[Tyre], entries: list[Entry], sai
     other = MagicFormula52 if version is MagicFormula61 else MagicFormula61
     fields = fields_of(version)
     foreign = {name: item for name, item in fields_of(other).items() if name not in fields}
-    acting = {entry.key for entry in entries if number(entry.value) != 0}
     noted: list[tuple[str, Entry]] = []
     strange: list[Entry] = []
     for entry in entries:
-        if entry.key in foreign:
-            default: Any = foreign[entry.key].default
-            if says_nothing(entry, default):
-                continue
-            terms = SHAPE_OF.get(entry.key)
-            if is_coefficient(entry.key) and (terms is None or acting.intersection(terms)):
-                what = f"belongs to {NAMES[other]} and would be ignored: set it to {default:g}, or change FITTYP"
-                text.report_key(entry, what)
-            else:
-                noted.append((f"not part of {NAMES[version]}", entry))
+        name = ALIASES.get(entry.key, entry.key)
+        if name in foreign:
+            if not says_nothing(entry, foreign[name].default):
+                noted.append((f"not part of {NAMES[version]} and without effect", entry))
         elif entry.key in SUBJECT_OF:
             if not says_nothing(entry, float(entry.key.startswith("L"))):
                 noted.append((f"not modelled: {SUBJECT_OF[entry.key]}", entry))
-        elif entry.section not in SECTIONS:
+        elif entry.section not in SECTIONS and entry.section not in OTHER_SECTIONS:
             noted.append(("unknown section, not read", entry))
         elif entry.key not in WITHOUT_MEANING:
             strange.append(entry)
@@ -78,7 +70,7 @@ def closest(key: str, names: list[str], least: float) -> str:
     return best if likeness[best] >= least else ""
 
 
-def says_nothing(entry: Entry, neutral: float) -> bool:
+def says_nothing(entry: Entry, neutral: object) -> bool:
     """Whether a key has the value that it would have if it were not there."""
     value = number(entry.value)
     if value is None:
@@ -100,7 +92,8 @@ def read_rows(text: TirText) -> None:
         line, column, _ = rows[0]
         if section in SECTIONS or section == "UNITS":
             for *place, content in rows:
-                text.report((place[0], place[1]), section, f"expected KEY = value, got {shown(content)}")
+                what = f"expected KEY = value, got {shown(content)}; a comment starts with $"
+                text.report((place[0], place[1]), section, what)
         elif section not in HEADERS:
             text.note((line, column), section, f"not modelled: a table of {len(rows)} lines")
 

@@ -9,20 +9,23 @@ from eom.tyre.tir.text import Entry, TirText, number, shown
 
 KEYS = frozenset({"PROPERTY_FILE_FORMAT", "FITTYP", "USE_MODE", "TYRESIDE", "FORM"})
 VERSIONS: dict[int, type[Tyre]] = {
+    5: MagicFormula52,
     6: MagicFormula52,
     52: MagicFormula52,
     60: MagicFormula61,
     61: MagicFormula61,
     62: MagicFormula61,
 }
+FORMATS = {"PAC2002": 6, "MF_05": 5}
+"""What a file without FITTYP is, by its format."""
 REMARKS = {
+    5: "read by the equations of the Magic Formula 5.2, which have all coefficients of 5.0 and 5.1",
     52: "read as the Magic Formula 5.2, which FITTYP = 6 says; FITTYP = 52 is also a motorcycle tyre (MF-MCTyre 1.1)",
     60: "read by the equations of the Magic Formula 6.1, which contain those of 6.0",
     62: "read by the equations of the Magic Formula 6.1, which have the same forces; the loaded radius of 6.2 is not "
     "modelled",
 }
 OTHERS = {
-    5: "the Magic Formula 5.0 or 5.1",
     21: "an early Magic Formula",
     51: "a motorcycle tyre, MF-MCTyre 1.0",
     53: "a motorcycle tyre of MF-MCTyre",
@@ -30,7 +33,7 @@ OTHERS = {
 USES: dict[int, Use] = {1: "longitudinal", 2: "lateral", 3: "uncombined", 4: "combined", 5: "combined"}
 SIDES = {"LEFT": "left", "RIGHT": "right", "UNKNOWN": None, "SYMMETRIC": None, "": None}
 UNREADABLE = 10**6
-READS = "this reads FITTYP 61 (Magic Formula 6.1), also 60 and 62, and 6 (5.2, PAC2002)"
+READS = "this reads FITTYP 61 (Magic Formula 6.1), also 60 and 62, 6 (5.2, PAC2002) and 5 (5.0, 5.1)"
 
 
 def model_entries(text: TirText) -> dict[str, Entry]:
@@ -50,13 +53,16 @@ def read_version(text: TirText, said: Mapping[str, Entry]) -> type[Tyre] | None:
     fittyp, file_format = said.get("FITTYP"), said.get("PROPERTY_FILE_FORMAT")
     name = file_format.value.upper() if file_format else ""
     if fittyp is None:
-        if name == "PAC2002":
-            return MagicFormula52
+        if file_format is not None and name in FORMATS:
+            if FORMATS[name] in REMARKS:
+                text.note_key(file_format, REMARKS[FORMATS[name]])
+            return VERSIONS[FORMATS[name]]
         if file_format is None:
             place = (text.sections.get("MODEL", 1), 1)
             text.report(place, "MODEL", f"needs FITTYP, which says the version of the Magic Formula; {READS}")
         else:
-            text.report_value(file_format, f"{shown(file_format.value)} is not a format with a FITTYP; {READS}")
+            what = f"{shown(file_format.value)} does not say the version, and there is no FITTYP; {READS}"
+            text.report_value(file_format, what)
         return None
     kind = whole(fittyp)
     version = VERSIONS.get(kind)

@@ -35,7 +35,11 @@ def read_number(text: TirText, version: type[Tyre], name: str, place: Place) -> 
         text.report_value(first, f"expected a finite number in SI units, got {shown(first.value)}")
         return None
     item = fields_of(version)[name]
-    if "above" in item.metadata and (problem := problem_of(item, scaled)):
+    problem = problem_of(item, scaled) if "above" in item.metadata else ""
+    if problem and scaled == 0.0 and item.default is not MISSING and SECTION_OF[name] != "SCALING_COEFFICIENTS":
+        text.note_key(first, "is 0, which it cannot be: taken as not given")
+        return None
+    if problem:
         text.report_value(first, f"{problem}, got {first.value}")
         return None
     return scaled

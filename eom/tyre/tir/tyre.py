@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from eom.errors import DescriptionError, Mistake
+from eom.tyre.tir.directions import missing_direction
 from eom.tyre.tir.keys import ALIASES, HEADERS, SECTION_OF, SECTIONS, Tyre, fields_of, is_coefficient, unit_of
 from eom.tyre.tir.leftovers import listed, read_leftovers, read_rows
 from eom.tyre.tir.model import KEYS, model_entries, read_model, read_version
@@ -43,12 +44,19 @@ def read_tyre(text: TirText) -> Reading:
         raise DescriptionError(first_of(text))
     model = read_model(text, said_of_model, version)
     said, leftovers = split(text, version)
+    neutral, use = missing_direction(text, said, model.get("use", "combined"))
+    if use is not None:
+        model["use"] = use
     fields = fields_of(version)
-    places = {name: (tuple(entries), factor_of(unit_of(fields[name]), units)) for name, entries in said.items()}
+    places = {
+        name: (tuple(entries), factor_of(unit_of(fields[name]), units))
+        for name, entries in said.items()
+        if name not in neutral
+    }
     found = {name: read_number(text, version, name, place) for name, place in places.items()}
-    numbers: dict[str, Any] = {name: value for name, value in found.items() if value is not None}
+    numbers: dict[str, Any] = neutral | {name: value for name, value in found.items() if value is not None}
     meant = read_leftovers(text, version, leftovers, said)
-    check_missing(text, version, meant.union(said))
+    check_missing(text, version, meant.union(said, neutral))
     check_ranges(text, version, numbers, places)
     note_pressure(text, version, numbers, places)
     note_book(text, numbers, places)
@@ -61,13 +69,15 @@ def split(text: TirText, version: type[Tyre]) -> tuple[dict[str, list[Entry]], l
     """The entries of each coefficient, and all others that may bear on the tyre."""
     fields = fields_of(version)
     said: dict[str, list[Entry]] = {}
-    leftovers, elsewhere = [], []
+    leftovers, elsewhere, empty = [], [], []
     for entry in text.entries:
         name = ALIASES.get(entry.key, entry.key)
         if entry.section in HEADERS or entry.key in KEYS or entry.section == "UNITS":
             continue
         if name not in fields:
             leftovers.append(entry)
+        elif not entry.value and not entry.quoted:
+            empty.append(entry)
         elif entry.section in SECTIONS or name != entry.key:
             said.setdefault(name, []).append(entry)
             if name != entry.key:
@@ -80,11 +90,16 @@ def split(text: TirText, version: type[Tyre]) -> tuple[dict[str, list[Entry]], l
             said.setdefault(name, []).append(entry)
         else:
             leftovers.append(entry)
-    for section in dict.fromkeys(entry.section for entry in elsewhere):
-        entries = [entry for entry in elsewhere if entry.section == section]
-        what = f"read, though most files have it in another section: {listed(entry.key for entry in entries)}"
-        text.note((entries[0].line, entries[0].column), section, what)
+    note_each_section(text, elsewhere, "read, though most files have it in another section")
+    note_each_section(text, empty, "without a value, taken as not given")
     return said, leftovers
+
+
+def note_each_section(text: TirText, entries: list[Entry], what: str) -> None:
+    """One note in each section for entries with something in common."""
+    for section in dict.fromkeys(entry.section for entry in entries):
+        own = [entry for entry in entries if entry.section == section]
+        text.note((own[0].line, own[0].column), section, f"{what}: {listed(entry.key for entry in own)}")
 
 
 def note_book(text: TirText, numbers: Mapping[str, float], places: Mapping[str, Place]) -> None:
