@@ -53,10 +53,10 @@ def stiffness_tables(figures: Characteristics) -> str:
     per_degree = np.deg2rad(figures.cornering)
     lateral = {
         "load [N]": column(figures.Fz, 0),
-        "cornering stiffness [N/rad]": column(figures.cornering, 0),
+        "cornering [N/rad]": column(figures.cornering, 0),
         "[N/deg]": column(per_degree, 1),
-        "over load [1/rad]": column(figures.cornering / figures.Fz, 2),
-        "camber stiffness [N/rad]": column(figures.camber, 0),
+        "per load": column(figures.cornering / figures.Fz, 2),
+        "camber [N/rad]": column(figures.camber, 0),
         "peak Fy/Fz": column(figures.side.friction, 3),
         "at [deg]": column(np.rad2deg(figures.side.slip), 2),
         "trail [mm]": column(1e3 * figures.trail, 1),
@@ -65,14 +65,17 @@ def stiffness_tables(figures: Characteristics) -> str:
     longitudinal = {
         "load [N]": column(figures.Fz, 0),
         "slip stiffness [N]": column(figures.longitudinal, 0),
-        "over load": column(figures.longitudinal / figures.Fz, 2),
+        "per load": column(figures.longitudinal / figures.Fz, 2),
         "peak Fx/Fz": column(figures.drive.friction, 3),
         "at slip": column(figures.drive.slip, 4),
         "relaxation [m]": column(np.asarray(figures.relaxation.kappa), 3),
     }
     return "\n\n".join(
         f"{title}\n{table(list(columns), zip(*columns.values(), strict=True), 0)}"
-        for title, columns in (("lateral", lateral), ("longitudinal", longitudinal))
+        for title, columns in (
+            ("lateral: stiffnesses at zero slip, peak, trail, relaxation length", lateral),
+            ("longitudinal: stiffness at zero slip, peak, relaxation length", longitudinal),
+        )
     )
 
 
