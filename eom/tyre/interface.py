@@ -81,11 +81,11 @@ def evaluate(tyre: Tyre, *arguments: Values) -> Forces:
     """A tyre's formula at alpha, kappa, Fz, gamma, speed; raises `TyreError` for what is no finite number."""
     arrays = [as_numbers(name, value) for name, value in zip(ARGUMENTS, arguments, strict=True)]
     try:
-        shape = np.broadcast(*arrays).shape
+        found = [np.asarray(value) for value in tyre.formula(tyre, *arrays)]
+        shape = np.broadcast(*arrays, *found).shape
     except ValueError:
         shapes = ", ".join(f"{name} {array.shape}" for name, array in zip(ARGUMENTS, arrays, strict=True))
-        raise TyreError(f"arguments whose shapes do not fit together: {shapes}") from None
-    found = (np.asarray(value) for value in tyre.formula(tyre, *arrays))
+        raise TyreError(f"shapes that do not fit together, or not the number of tyres: {shapes}") from None
     return Forces(*(value[()] if value.shape == shape else np.broadcast_to(value, shape) for value in found))
 
 

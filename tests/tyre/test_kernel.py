@@ -103,6 +103,15 @@ def test_stacked_tyres_give_the_forces_of_each() -> None:
             assert [float(v[k]) for v in together] == pytest.approx(list(one), rel=1e-13, abs=1e-13 * LOAD), name  # type: ignore[index]
 
 
+def test_a_stack_gives_one_number_for_each_tyre_also_of_plain_numbers() -> None:
+    for name, tyres in sets(3).items():
+        together = stack(tyres).forces(0.02, 0.0, LOAD)
+        assert {np.shape(value) for value in together} == {(3,)}, name
+        assert together.Fy == pytest.approx([float(one.forces(0.02, 0.0, LOAD).Fy) for one in tyres], rel=1e-12)
+    with pytest.raises(TyreError, match=r"or not the number of tyres: alpha \(2,\)"):
+        stack(sets(3)["tool"]).forces([0.0, 0.1], 0.0, LOAD)  # type: ignore[arg-type]
+
+
 def test_tyres_that_do_not_fit_together_are_refused() -> None:
     one, other = sets(1)["linear"][0], sets(1)["dugoff"][0]
     with pytest.raises(TyreError, match="tyre 1 and tyre 2 are Linear and Dugoff: expected tyres of one model"):

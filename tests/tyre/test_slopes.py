@@ -66,5 +66,7 @@ def test_what_is_no_number_is_refused_by_name() -> None:
         slopes(tyre, 0.0, 0.0, np.nan)
     with pytest.raises(TyreError, match="kappa: expected a number or an array of numbers"):
         tyre.forces(0.0, "fast", 4000.0)  # type: ignore[arg-type]
-    with pytest.raises(TyreError, match=r"shapes do not fit together: alpha \(2,\), kappa \(3,\)"):
+    with pytest.raises(
+        TyreError, match=r"shapes that do not fit together, or not the number of tyres: alpha \(2,\), kappa \(3,\)"
+    ):
         tyre.forces(np.zeros(2), np.zeros(3), 4000.0)
