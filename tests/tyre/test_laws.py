@@ -70,6 +70,34 @@ def test_slopes_at_zero_slip_are_the_stated_stiffnesses(tyre: Tyre, Fz: float) -
     assert [found.kappa.Fy, found.alpha.Fx] == pytest.approx([0.0, 0.0], abs=ROUNDING * Fz)
 
 
+@given(any_tyre, loads)
+def test_the_slope_over_camber_is_the_stated_stiffness(tyre: Tyre, Fz: float) -> None:
+    match tyre:
+        case Linear():
+            stated = -tyre.camber
+        case MagicFormula():
+            stated = -Fz * tyre.k_gamma
+        case MagicFormula61():
+            stated = Fz * tyre.PKY6
+        case _:
+            stated = 0.0
+    assert slopes(tyre, 0.0, 0.0, Fz).gamma.Fy == pytest.approx(stated, rel=1e-13)
+
+
+@given(st.one_of(linear, dugoff, ellipse, cosine), st.floats(-40.0, 40.0), st.floats(-200.0, 200.0), loads)
+def test_rolling_resistance_is_against_the_rotation_of_the_wheel(
+    tyre: Tyre, v_x: float, omega: float, Fz: float
+) -> None:
+    radius = 0.3
+    kappa = slips(v_x, 0.0, omega, radius)[1]
+    found = tyre.forces(0.0, kappa, Fz, speed=v_x).My
+    full = -tyre.rolling_resistance * tyre.radius * Fz  # type: ignore[attr-defined]
+    if abs(v_x) >= 1.0:
+        assert found == pytest.approx(
+            full * np.sin(0.5 * np.pi * np.clip(omega * radius, -1.0, 1.0)), abs=ROUNDING * Fz
+        )
+
+
 @given(any_tyre, angles, ratios, loads)
 def test_without_shifts_each_force_is_odd_in_its_slip_and_even_in_the_other(
     tyre: Tyre, alpha: float, kappa: float, Fz: float
@@ -195,3 +223,11 @@ def test_the_magic_formula_is_the_one_of_the_thesis(tyre: MagicFormula, slip: fl
         B = stiffnesses(tyre, Fz)[K] / (C * D)
         phi = (1.0 - E) * slip + E / B * np.arctan(B * slip)
         assert force == pytest.approx(D * np.sin(C * np.arctan(B * phi)), abs=1e-12 * Fz)
+
+
+@given(st.one_of(ellipse, cosine), angles, loads)
+def test_the_trail_of_the_thesis_formula_falls_as_the_square_of_a_cosine(
+    tyre: MagicFormula, alpha: float, Fz: float
+) -> None:
+    found, slip = tyre.forces(alpha, 0.0, Fz), stiffnesses(tyre, Fz)[1] * alpha / (frictions(tyre, Fz)[1] * Fz)
+    assert found.Mz == pytest.approx(-tyre.trail * np.cos(np.arctan(slip)) ** 2 * found.Fy, abs=ROUNDING * Fz)

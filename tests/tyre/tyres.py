@@ -49,6 +49,7 @@ def magic(combined: str, softest: float, friction: tuple[float, float]) -> st.Se
         k_y=between(softest, 30.0),
         k_y_load=between(-3.0, 0.0),
         k_y_load2=between(-0.2, 0.2),
+        k_gamma=between(0.0, 1.5),
         E_x=between(-1.0, 0.5),
         E_y=between(-2.0, 0.5),
         E_y_load=between(-0.1, 0.1),
