@@ -28,7 +28,7 @@ class Branch(NamedTuple):
     rises : array
         Whether the force grows with slip between them.
     peaks : array
-        Whether the force has its peak there, stacked likewise; without one .
+        Whether the force has its peak there, stacked likewise; without one the end is that of the range.
     """
 
     ends: Array

@@ -4,11 +4,17 @@ from typing import Any
 
 import numpy as np
 
-from eom.tyre.elementary import maximum, minimum, sin
+from eom.tyre.elementary import magnitude, maximum, minimum, sin
 from eom.tyre.parameters import Values
 
 LIFT = 0.01
 """Share of the nominal load below which contact fades; no tyre is measured there."""
+
+
+def kept_above(value: Values, low: Values) -> Any:
+    """A value above a low one; below, down to zero, a parabola from half of that, once continuously differentiable."""
+    x = minimum(value / low, 1.0)
+    return maximum(value, 0.5 * low * (1.0 + x * x))
 
 
 def contact(Fz: Values, nominal: Values) -> tuple[Any, Any]:
@@ -19,9 +25,9 @@ def contact(Fz: Values, nominal: Values) -> tuple[Any, Any]:
     stays below Fz. Both have continuous first derivatives in Fz.
     """
     low = LIFT * nominal
-    x = minimum(maximum(Fz / low, 0.0), 1.0)
-    square = x * x
-    return maximum(Fz, 0.5 * low * (1.0 + square)), square * (3.0 - 2.0 * x)
+    load = maximum(Fz, 0.0)
+    x = minimum(load / low, 1.0)
+    return kept_above(load, low), x * x * (3.0 - 2.0 * x)
 
 
 def rolling_sense(v: Values, low_speed: Values) -> Any:
@@ -29,6 +35,6 @@ def rolling_sense(v: Values, low_speed: Values) -> Any:
     return sin(0.5 * np.pi * minimum(maximum(v / low_speed, -1.0), 1.0))
 
 
-def rolling_speed(kappa: Values, speed: Values) -> Any:
-    """Speed of the tread omega R_e [m/s] that belongs to a longitudinal slip at a forward speed [m/s]."""
-    return speed + kappa * np.abs(speed)
+def rolling_speed(kappa: Values, speed: Values, low_speed: Values) -> Any:
+    """Speed of the tread omega R_e [m/s] that belongs to a slip at a forward speed, as `eom.tyre.slips` defines it."""
+    return speed + kappa * kept_above(magnitude(speed), low_speed)

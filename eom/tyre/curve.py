@@ -5,6 +5,9 @@ from typing import Any
 from eom.tyre.elementary import arctan, cos, sin
 from eom.tyre.parameters import Values
 
+TINY = 1e-100
+"""Beside a number that is not zero it vanishes; a friction that vanishes at some load gives no force, and not none."""
+
 
 def bend(x: Values, E: Values) -> Any:
     """The argument x = B times slip, bent by the curvature factor E: x - E (x - arctan x)."""

@@ -11,7 +11,7 @@ from eom.tyre.contact import contact, rolling_sense
 from eom.tyre.elementary import maximum, minimum, sqrt, tan
 from eom.tyre.interface import Formula
 from eom.tyre.parameters import Values, coefficient
-from eom.tyre.wheel import LOW_SPEED, Wheel, resistance_moment
+from eom.tyre.wheel import LOW_SPEED, Wheel, resistance_moment, trail_of
 
 LOCKING = 0.1
 """Width in slip of the passage from a braked wheel, 1 + kappa > 0, to one that turns backwards."""
@@ -58,4 +58,4 @@ def dugoff_forces(
     per_stiffness = share * grip * (2.0 - m) / limit
     Fx, Fy = per_stiffness * drive, -per_stiffness * side
     My = resistance_moment(p, share * load, kappa, speed)
-    return Fx, Fy, 0.0 * Fy, My, -p.trail * m * (2.0 - m) * Fy
+    return Fx, Fy, 0.0 * Fy, My, -trail_of(p, speed) * m * (2.0 - m) * Fy

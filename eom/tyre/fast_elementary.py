@@ -32,13 +32,13 @@ def magnitude(x: float) -> float:
 
 
 def maximum(a: float, b: float) -> float:
-    """The larger of two numbers."""
-    return max(b, a)
+    """The larger of two numbers; NaN if the first one is."""
+    return max(a, b)
 
 
 def minimum(a: float, b: float) -> float:
-    """The smaller of two numbers."""
-    return min(b, a)
+    """The smaller of two numbers; NaN if the first one is."""
+    return min(a, b)
 
 
 def sqrt(x: float) -> float:
@@ -108,7 +108,8 @@ def tan(x: float) -> float:
 
 
 def exp(x: float) -> float:
-    """The exponential: powers of two by their exponent, the rest by a series; for |x| < 700."""
+    """The exponential: powers of two by their exponent, the rest by a series; constant beyond |x| = 700."""
+    x = minimum(maximum(x, -700.0), 700.0)
     k = np.floor(x * (1.0 / math.log(2.0)) + 0.5)
     r = (x - k * LN2_1) - k * LN2_2
     p = 1.0 / 6227020800.0

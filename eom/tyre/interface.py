@@ -92,9 +92,9 @@ def evaluate(tyre: Tyre, *arguments: Values) -> Forces:
 def as_numbers(name: str, value: Values) -> "np.ndarray[Any, Any]":
     """An argument as an array of finite numbers, which may be complex."""
     array = np.asarray(value)
-    if array.dtype.kind not in "fc":
+    if array.dtype not in (np.float64, np.complex128):
         try:
-            array = array.astype(float)
+            array = array.astype(np.complex128 if array.dtype.kind == "c" else np.float64)
         except (TypeError, ValueError):
             raise TyreError(f"{name}: expected a number or an array of numbers") from None
     if not np.isfinite(array).all():

@@ -8,6 +8,7 @@ from eom.errors import TyreError
 from eom.tyre.branch import Array, branch, root
 from eom.tyre.interface import REFERENCE_SPEED, Tyre, as_numbers
 from eom.tyre.parameters import Values
+from eom.tyre.slopes import slopes
 
 
 class SlipAngle(NamedTuple):
@@ -23,7 +24,8 @@ def slip_angle_for(
     """Slip angle at which a tyre gives a lateral force, on the branch between its two peaks.
 
     A demand beyond a peak gets the slip angle of that peak, whose force is the nearest possible, and is marked as
-    saturated. A tyre whose force has no peak is followed up to a slip angle of 90 degrees. All arguments are
+    saturated. A tyre whose force has no peak is followed up to a slip angle of 90 degrees. Where longitudinal slip is
+    so large that the force grows with the slip angle, the result is zero, marked as saturated. All arguments are
     broadcast; the force of the result is the demand to within rounding.
 
     Parameters
@@ -38,7 +40,8 @@ def slip_angle_for(
     Raises
     ------
     TyreError
-        If arguments are no finite numbers, do not fit together, or if the lateral force grows with the slip angle.
+        If arguments are no finite numbers, do not fit together, or if the lateral force of the freely rolling tyre
+        grows with the slip angle.
 
     Examples
     --------
@@ -57,15 +60,16 @@ def slip_angle_for(
     def lateral(alpha: Array) -> Array:
         return np.asarray(tyre.forces(alpha, kappa, Fz, gamma, speed).Fy)
 
-    way = branch(lateral, 0.5 * np.pi, np.shape(start))
-    if np.any(way.rises):
+    if np.any(slopes(tyre, 0.0, 0.0, Fz, gamma, speed).alpha.Fy > 0.0):
         raise TyreError(
             "the lateral force grows with the slip angle: expected coefficients for ISO axes, in which it falls; "
             "turn the signs of coefficients that are for other axes"
         )
-    ends = [np.broadcast_to(end, shape) for end in way.ends]
+    way = branch(lateral, 0.5 * np.pi, np.shape(start))
+    # a wheel that spins or locks may have no branch on which its lateral force resists the slip angle
+    ends = [np.broadcast_to(np.where(way.rises, 0.0, end), shape) for end in way.ends]
     most, least = (lateral(end) for end in ends)
-    saturated = (demand < least) | (demand > most)
+    saturated = (demand < least) | (demand > most) | way.rises
     inside = root(lambda alpha: lateral(alpha) - demand, ends[0], ends[1])
     nearest = np.where(most - demand < demand - least, *ends)
     # within rounding of a peak the search may see no change of sign

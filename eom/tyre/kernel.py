@@ -4,6 +4,7 @@ import dis
 import functools
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from numbers import Real
 from types import FunctionType
 from typing import Any, NamedTuple
 
@@ -11,7 +12,7 @@ import numpy as np
 
 from eom.errors import TyreError
 from eom.tyre import fast_elementary
-from eom.tyre.interface import ARGUMENTS, Forces, Formula, Tyre
+from eom.tyre.interface import ARGUMENTS, Forces, Formula, Tyre, as_numbers
 from eom.tyre.parameters import Values
 
 LANES = 32
@@ -44,9 +45,10 @@ class Kernel:
         """Forces and moments as of `Tyre.forces`; each argument is a number or has one element for each tyre."""
         arguments = np.empty((len(ARGUMENTS), self.count))
         for row, name, value in zip(arguments, ARGUMENTS, (alpha, kappa, Fz, gamma, speed), strict=True):
+            numbers = as_numbers(name, value)
             try:
-                row[:] = value
-            except ValueError:
+                row[:] = numbers
+            except (TypeError, ValueError):
                 raise TyreError(f"{name}: expected a number or {self.count} of them, one for each tyre") from None
         out = np.empty_like(arguments)
         self.run(self.table, arguments, out)
@@ -77,7 +79,7 @@ def compile_forces(tyre: Tyre) -> Kernel:
 def used_coefficients(formula: Formula, tyre: Tyre) -> Iterator[str]:
     """The names of a tyre's numbers that its formula reads."""
     for name in sorted({name for function in reached(formula) for name in loaded(function, "LOAD_ATTR")}):
-        if isinstance(getattr(tyre, name, None), (int, float, np.ndarray)):
+        if isinstance(getattr(tyre, name, None), (Real, np.ndarray)):
             yield name
 
 

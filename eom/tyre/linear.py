@@ -6,7 +6,7 @@ from typing import Any
 from eom.tyre.contact import contact
 from eom.tyre.interface import Formula
 from eom.tyre.parameters import Values, coefficient
-from eom.tyre.wheel import Wheel, resistance_moment
+from eom.tyre.wheel import Wheel, resistance_moment, trail_of
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -29,4 +29,4 @@ def linear_forces(p: Linear, alpha: Values, kappa: Values, Fz: Values, gamma: Va
     slip_force = -share * p.cornering * alpha
     Fx = share * p.longitudinal * kappa
     Fy = slip_force - share * p.camber * gamma
-    return Fx, Fy, 0.0 * Fy, resistance_moment(p, share * load, kappa, speed), -p.trail * slip_force
+    return Fx, Fy, 0.0 * Fy, resistance_moment(p, share * load, kappa, speed), -trail_of(p, speed) * slip_force

@@ -5,13 +5,13 @@ from typing import Any, Literal
 
 from eom.errors import TyreError
 from eom.tyre.contact import contact
-from eom.tyre.curve import sine
+from eom.tyre.curve import TINY, sine
 from eom.tyre.elementary import arctan, cos, sqrt
 from eom.tyre.interface import Formula
 from eom.tyre.parameters import Values, coefficient
-from eom.tyre.wheel import Wheel, resistance_moment
+from eom.tyre.wheel import Wheel, resistance_moment, trail_of
 
-TINY = 1e-300
+AT_REST = 1e-300
 """Square of a slip so small that it changes no number; keeps a ratio of two zeros one."""
 
 
@@ -75,13 +75,13 @@ def ellipse_forces(
     load, share = contact(Fz, p.nominal_load)
     f = load / p.nominal_load - 1.0
     mu_x, mu_y, C_x, C_y = friction_and_shape(p, f)
-    u = (p.k_x + f * (p.k_x_load + f * p.k_x_load2)) * kappa / mu_x
-    v = ((p.k_y + f * (p.k_y_load + f * p.k_y_load2)) * alpha + p.k_gamma * gamma) / mu_y
-    rho = sqrt(u * u + v * v + TINY)
+    u = (p.k_x + f * (p.k_x_load + f * p.k_x_load2)) * kappa / (mu_x + TINY)
+    v = ((p.k_y + f * (p.k_y_load + f * p.k_y_load2)) * alpha + p.k_gamma * gamma) / (mu_y + TINY)
+    rho = sqrt(u * u + v * v + AT_REST)
     Fx = share * load * mu_x * (u / rho) * sine(rho / C_x, C_x, p.E_x + p.E_x_load * f)
     Fy = -share * load * mu_y * (v / rho) * sine(rho / C_y, C_y, p.E_y + p.E_y_load * f)
     My = resistance_moment(p, share * load, kappa, speed)
-    return Fx, Fy, 0.0 * Fy, My, aligning_moment(p, rho, Fy)
+    return Fx, Fy, 0.0 * Fy, My, aligning_moment(p, rho, Fy, speed)
 
 
 def cosine_forces(
@@ -91,8 +91,8 @@ def cosine_forces(
     load, share = contact(Fz, p.nominal_load)
     f = load / p.nominal_load - 1.0
     mu_x, mu_y, C_x, C_y = friction_and_shape(p, f)
-    u = (p.k_x + f * (p.k_x_load + f * p.k_x_load2)) * kappa / mu_x
-    v = ((p.k_y + f * (p.k_y_load + f * p.k_y_load2)) * alpha + p.k_gamma * gamma) / mu_y
+    u = (p.k_x + f * (p.k_x_load + f * p.k_x_load2)) * kappa / (mu_x + TINY)
+    v = ((p.k_y + f * (p.k_y_load + f * p.k_y_load2)) * alpha + p.k_gamma * gamma) / (mu_y + TINY)
     # cos(arctan z) = 1/sqrt(1 + z^2)
     B_x = p.RBX1 / sqrt(1.0 + (p.RBX2 * kappa) * (p.RBX2 * kappa))
     B_y = p.RBY1 / sqrt(1.0 + (p.RBY2 * alpha) * (p.RBY2 * alpha))
@@ -101,7 +101,7 @@ def cosine_forces(
     Fx = share * load * mu_x * G_x * sine(u / C_x, C_x, p.E_x + p.E_x_load * f)
     Fy = -share * load * mu_y * G_y * sine(v / C_y, C_y, p.E_y + p.E_y_load * f)
     My = resistance_moment(p, share * load, kappa, speed)
-    return Fx, Fy, 0.0 * Fy, My, aligning_moment(p, v, Fy)
+    return Fx, Fy, 0.0 * Fy, My, aligning_moment(p, v, Fy, speed)
 
 
 def friction_and_shape(p: MagicFormula, f: Values) -> tuple[Any, Any, Any, Any]:
@@ -109,9 +109,9 @@ def friction_and_shape(p: MagicFormula, f: Values) -> tuple[Any, Any, Any, Any]:
     return p.mu_x + p.mu_x_load * f, p.mu_y + p.mu_y_load * f, p.C_x + p.C_x_load * f, p.C_y + p.C_y_load * f
 
 
-def aligning_moment(p: MagicFormula, slip: Values, Fy: Values) -> Any:
-    """Mz [N m] by a trail that falls as cos^2(arctan slip)."""
-    return -p.trail * Fy / (1.0 + slip * slip)
+def aligning_moment(p: MagicFormula, slip: Values, Fy: Values, speed: Values) -> Any:
+    """Mz [N m] by a trail that falls as cos^2(arctan slip), that of camber thrust included."""
+    return -trail_of(p, speed) * Fy / (1.0 + slip * slip)
 
 
 FORMULAS = {"ellipse": ellipse_forces, "cosine": cosine_forces}

@@ -65,7 +65,7 @@ def problem_of(item: "dataclasses.Field[Any]", value: Any) -> str:
     """What is wrong with a value of a coefficient; empty if nothing is."""
     limits = item.metadata
     try:
-        numbers = np.asarray(value, dtype=float)
+        numbers = np.asarray(value + 0.0, dtype=float)
     except (TypeError, ValueError):
         return "expected a number"
     if not np.all(np.isfinite(numbers)):

@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 
 from eom.errors import TyreError
+from eom.tyre.contact import kept_above
 from eom.tyre.parameters import Values
 
 
@@ -26,7 +27,7 @@ def slips(
     radius : float or array
         Effective rolling radius [m].
     low_speed : float
-        Speed [m/s] below which the definition is bent.
+        Speed [m/s] below which the definition is bent: the VXLOW of a Magic Formula tyre, 1 m/s for the others.
 
     Returns
     -------
@@ -46,13 +47,13 @@ def slips(
     """
     if not low_speed > 0.0:
         raise TyreError(f"low_speed = {low_speed}: expected more than 0 m/s")
-    forward = np.asarray(v_x)
-    speed = np.where(np.abs(forward) < low_speed, 0.5 * (forward**2 / low_speed + low_speed), np.abs(forward))
-    return np.arctan(v_y / speed), (omega * radius - forward) / speed
+    forward = np.asarray(v_x, dtype=float)
+    speed = kept_above(np.abs(forward), low_speed)
+    return np.arctan(np.asarray(v_y) / speed), (np.asarray(omega) * radius - forward) / speed
 
 
 def thesis_slip(kappa: Values) -> np.ndarray[Any, Any]:
-    """The slip of Zhu's thesis (3.44) that belongs to kappa: relative to omega R when driving, to U when braking."""
+    """The slip of Zhu's thesis (3.44) in forward travel: relative to omega R when driving, to U when braking."""
     slip = np.asarray(kappa)
     return np.where(slip > 0.0, slip / np.maximum(1.0 + slip, 1.0), slip)
 

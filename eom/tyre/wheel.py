@@ -3,9 +3,12 @@
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
+from eom.errors import TyreError
 from eom.tyre.contact import rolling_sense, rolling_speed
 from eom.tyre.interface import Tyre
-from eom.tyre.parameters import Values, check_bounds, coefficient
+from eom.tyre.parameters import Values, bound_problems, coefficient
 
 LOW_SPEED = 1.0
 """Speed of the tread [m/s] below which rolling resistance fades to zero at standstill."""
@@ -21,9 +24,21 @@ class Wheel(Tyre):
     radius: Values = coefficient("rolling radius", "m", default=0.0, at_least=0.0)
 
     def __post_init__(self) -> None:
-        check_bounds(self)
+        wrong = bound_problems(self)
+        if np.any((np.asarray(self.rolling_resistance) > 0.0) & (np.asarray(self.radius) == 0.0)):
+            wrong.append(
+                f"{type(self).__name__}: radius = 0: expected the rolling radius, as there is rolling resistance"
+            )
+        if wrong:
+            raise TyreError("\n".join(wrong))
 
 
 def resistance_moment(p: Wheel, load: Values, kappa: Values, speed: Values) -> Any:
     """My [N m] of rolling resistance at a load [N]: against the wheel's rotation, through zero at standstill."""
-    return -p.rolling_resistance * p.radius * load * rolling_sense(rolling_speed(kappa, speed), LOW_SPEED)
+    sense = rolling_sense(rolling_speed(kappa, speed, LOW_SPEED), LOW_SPEED)
+    return -p.rolling_resistance * p.radius * load * sense
+
+
+def trail_of(p: Wheel, speed: Values) -> Any:
+    """Pneumatic trail [m] at small slip: behind the wheel's centre, in reverse in front of it, none at standstill."""
+    return p.trail * rolling_sense(speed, LOW_SPEED)

@@ -188,3 +188,15 @@ def test_a_side_force_that_grows_with_the_slip_angle_is_refused() -> None:
 def test_arguments_that_cannot_be_are_refused(Fy: Any, Fz: Any, sentence: str) -> None:
     with pytest.raises(TyreError, match=sentence):
         slip_angle_for(Linear(nominal_load=4000.0, cornering=6e4), Fy, Fz)
+
+
+def test_a_wheel_that_spins_too_fast_to_be_steered_is_marked_beside_one_that_is_not() -> None:
+    tyre = MagicFormula61(
+        FNOMIN=4e3, UNLOADED_RADIUS=0.3, PCX1=1.6, PDX1=1, PKX1=25, PCY1=1.4, PDY1=1, PKY1=-20, PKY2=2,
+        RBX1=12, RBX2=10, RCX1=1.05, RBY1=12, RBY2=8, RCY1=1.2,
+    )  # fmt: skip
+    assert slopes(tyre, 0.0, 3.0, 4e3).alpha.Fy > 0.0
+    alpha, saturated = slip_angle_for(tyre, 500.0, 4e3, kappa=np.array([0.0, 3.0]))
+    assert saturated.tolist() == [False, True]
+    assert alpha[1] == 0.0
+    assert tyre.forces(alpha[0], 0.0, 4e3).Fy == pytest.approx(500.0, abs=1e-9)

@@ -126,6 +126,25 @@ def test_tyres_that_do_not_fit_together_are_refused() -> None:
         compiled.forces(np.zeros(3), 0.0, LOAD, 0.0, 20.0)
 
 
+def test_what_is_no_finite_number_is_refused_before_it_is_compiled_away() -> None:
+    compiled = compile_forces(sets(1)["ellipse"][0])
+    for bad in (np.nan, np.inf):
+        with pytest.raises(TyreError, match="Fz: expected finite numbers"):
+            compiled.forces(0.02, 0.0, bad, 0.0, 20.0)
+    arguments, out = np.array([[0.02], [0.0], [np.nan], [0.0], [20.0]]), np.empty((5, 1))
+    compiled.run(compiled.table, arguments, out)
+    assert np.all(np.isnan(out))
+
+
+def test_tyres_of_both_sides_and_any_range_make_a_stack() -> None:
+    left, right = (
+        MagicFormula61(side=side, FZMAX=limit, **random_set_61(0))  # type: ignore[arg-type]
+        for side, limit in (("left", 8e3), ("right", 9e3))
+    )
+    both = stack([left, dataclasses.replace(right, mirror=True)]).forces(0.02, 0.0, LOAD)
+    assert both.Fy == pytest.approx([left.forces(0.02, 0.0, LOAD).Fy, -right.forces(-0.02, 0.0, LOAD).Fy], rel=1e-12)
+
+
 def test_without_numba_the_extra_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(__import__("sys").modules, "numba", None)
     with pytest.raises(TyreError, match=r"compiled tyres need numba: install eom-vehicle\[fast\]"):

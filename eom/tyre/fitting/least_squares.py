@@ -88,6 +88,7 @@ def fit(tyre: T, data: Mapping[str, ArrayLike], names: Sequence[str]) -> Fit[T]:
     """
     from scipy.optimize import least_squares  # noqa: PLC0415  slow to import
 
+    names = tuple(names)
     points = points_of(data)
     fields = fields_of(tyre, names, sum(array.size for array in points.channels.values()))
     scales = scales_of(points)

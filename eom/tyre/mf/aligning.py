@@ -4,7 +4,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from eom.tyre.curve import bend
+from eom.tyre.curve import TINY, bend
 from eom.tyre.elementary import arctan, cos, magnitude, sqrt, tan
 from eom.tyre.mf.lateral import Lateral
 from eom.tyre.mf.state import State
@@ -69,7 +69,7 @@ def residual_moment(p: Any, s: State, y: Lateral, peak: Values, combined: Values
 
 def residual_slip(s: State, y: Lateral) -> Any:
     """alpha_r, E37 and E38: slip angle counted from where the lateral force vanishes."""
-    return s.alpha + y.S_H + y.S_V / y.K
+    return s.alpha + y.S_H + y.S_V / (y.K + TINY)
 
 
 def trail_slip(p: Any, s: State, gamma: Values) -> Any:

@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from eom.tyre.curve import TINY
 from eom.tyre.elementary import magnitude
 from eom.tyre.mf.aligning import (
     book_combined,
@@ -34,7 +35,7 @@ def tool_61(p: Any, alpha: Values, kappa: Values, Fz: Values, gamma: Values, spe
     K, Fx = longitudinal_61(p, s, dpi)
     side, G, Fy = lateral_61(p, s, dpi)
     Fy_upright = pure_lateral_61(p, s, 0.0 * s.gamma, dpi).Fy0
-    drag, slip = p.meet * s.kappa * K / side.K, trail_slip(p, s, s.gamma)
+    drag, slip = p.meet * s.kappa * K / (side.K + TINY), trail_slip(p, s, s.gamma)
     t = trail(p, s, tool_trail(p, s, s.camber, 1.0 - p.PPZ1 * dpi), s.gamma, slip, tool_combined(slip, drag))
     residual = residual_moment(p, s, side, residual_peak_61(p, s, dpi), tool_combined(residual_slip(s, side), drag))
     arm = p.meet * longitudinal_arm(p, s, Fy, s.camber, p.FNOMIN)
@@ -51,7 +52,7 @@ def book_61(p: Any, alpha: Values, kappa: Values, Fz: Values, gamma: Values, spe
     side, _, Fy = lateral_61(p, s, dpi)
     upright = pure_lateral_61(p, s, 0.0 * s.gamma, dpi)
     G_upright = lateral_weight(p, s, p.meet * s.kappa, p.RBY1)
-    drag, slip = p.meet * s.kappa * K / side.K, trail_slip(p, s, s.gamma)
+    drag, slip = p.meet * s.kappa * K / (side.K + TINY), trail_slip(p, s, s.gamma)
     t = trail(p, s, book_trail(p, s, 1.0 - p.PPZ1 * dpi), s.gamma, slip, book_combined(slip, drag))
     residual = residual_moment(p, s, side, residual_peak_61(p, s, dpi), book_combined(residual_slip(s, side), drag))
     arm = p.meet * longitudinal_arm(p, s, Fy, s.gamma, s.Fz0)
@@ -68,7 +69,7 @@ def tool_52(p: Any, alpha: Values, kappa: Values, Fz: Values, gamma: Values, spe
     side, lateral = pure_lateral_52(p, s, lean_y), p.meet * s.kappa
     Fy_slip = lateral_weight(p, s, lateral, p.RBY1) * side.Fy0
     Fy = Fy_slip + slip_thrust(p, s, lateral, side.mu)
-    drag, slip = lateral * K / side.K, trail_slip(p, s, lean_z)
+    drag, slip = lateral * K / (side.K + TINY), trail_slip(p, s, lean_z)
     t = trail(p, s, tool_trail(p, s, lean_z, 1.0), lean_z, slip, tool_combined(slip, drag))
     peak = (p.QDZ6 + p.QDZ7 * s.dfz) * p.LRES + (p.QDZ8 + p.QDZ9 * s.dfz) * lean_z * p.LKZC
     residual = residual_moment(p, s, side, peak, tool_combined(residual_slip(s, side), drag))

@@ -2,7 +2,7 @@
 
 from typing import Any, NamedTuple
 
-from eom.tyre.curve import cosine, sine
+from eom.tyre.curve import TINY, cosine, sine
 from eom.tyre.elementary import arctan, magnitude, sense, sin, sqrt
 from eom.tyre.mf.state import State
 from eom.tyre.parameters import Values
@@ -49,7 +49,7 @@ def pure_lateral_61(p: Any, s: State, gamma: Values, dpi: Values) -> Lateral:
     """The lateral force at a camber, E19, version 6.1: camber shifts the curve so that its slope there is K_yg0."""
     K = cornering_stiffness_61(p, s, gamma, dpi)
     thrust = s.load * (p.PVY3 + p.PVY4 * s.dfz) * gamma * p.LKYC * s.shift_y
-    shift = (p.PHY1 + p.PHY2 * s.dfz) * p.LHY + (camber_stiffness_61(p, s, dpi) * gamma - thrust) / K
+    shift = (p.PHY1 + p.PHY2 * s.dfz) * p.LHY + (camber_stiffness_61(p, s, dpi) * gamma - thrust) / (K + TINY)
     mu = (p.PDY1 + p.PDY2 * s.dfz) * (1.0 + dpi * (p.PPY3 + p.PPY4 * dpi)) * (1.0 - p.PDY3 * gamma * gamma) * s.mu_y
     return pure_lateral(p, s, (shift, thrust), (K, mu), (1.0 + p.PEY5 * gamma * gamma, p.PEY3 + p.PEY4 * gamma))
 
@@ -87,7 +87,7 @@ def pure_lateral(
     C, D = p.PCY1 * p.LCY, mu * s.load
     slip = s.alpha + S_H
     E = (p.PEY1 + p.PEY2 * s.dfz) * (even - odd * sense(slip)) * p.LEY
-    BC = K / D
+    BC = K / (D + TINY)
     return Lateral(D * sine(BC / C * slip, C, E) + S_V, mu, K, S_H, S_V, BC)
 
 

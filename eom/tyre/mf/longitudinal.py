@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from eom.tyre.curve import cosine, sine
+from eom.tyre.curve import TINY, cosine, sine
 from eom.tyre.elementary import exp, sense, sqrt
 from eom.tyre.mf.state import State
 from eom.tyre.parameters import Values
@@ -24,7 +24,7 @@ def pure_longitudinal(p: Any, s: State, camber: Values, K: Values, pressure: Val
     slip = s.kappa + (p.PHX1 + p.PHX2 * s.dfz) * p.LHX * s.reverse
     S_V = s.load * (p.PVX1 + p.PVX2 * s.dfz) * p.LVX * s.shift_x * s.reverse
     E = (p.PEX1 + s.dfz * (p.PEX2 + p.PEX3 * s.dfz)) * (1.0 - p.PEX4 * sense(slip) * s.reverse) * p.LEX
-    return D * sine(K * slip / (C * D), C, E) + S_V
+    return D * sine(K * slip / (C * D + TINY), C, E) + S_V
 
 
 def longitudinal_weight(p: Any, s: State, alpha: Values, slope: Values) -> Any:

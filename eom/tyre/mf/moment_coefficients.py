@@ -19,7 +19,7 @@ class Overturning61(Overturning):
     """Section [OVERTURNING_COEFFICIENTS] of MF 6.1."""
 
     QSX4: Values = coefficient("load term: height", default=0.0)
-    QSX5: Values = coefficient("load term: factor of the squared arctangent of load", default=0.0)
+    QSX5: Values = coefficient("load term: factor of the arctangent of load squared", default=0.0)
     QSX6: Values = coefficient("load term: slope of that arctangent", default=0.0)
     QSX7: Values = coefficient("load term: with camber", default=0.0)
     QSX8: Values = coefficient("load term: with the arctangent of lateral force", default=0.0)

@@ -2,8 +2,6 @@
 
 from typing import Any, NamedTuple
 
-import numpy as np
-
 from eom.tyre.contact import contact, rolling_sense
 from eom.tyre.elementary import cos, magnitude, sin, sqrt, tan
 from eom.tyre.parameters import Values
@@ -70,7 +68,7 @@ def tool_state(p: Any, alpha: Values, kappa: Values, Fz: Values, gamma: Values, 
         (load - Fz0) / Fz0,
         cos(alpha),
         sense * sense,
-        sense * np.abs(sense),
+        sense * magnitude(sense),
         p.LMUX,
         p.LMUY,
         p.LMUX,
@@ -97,7 +95,7 @@ def book_state(p: Any, alpha: Values, kappa: Values, Fz: Values, gamma: Values, 
         (load - Fz0) / Fz0,
         cos(alpha),
         sense * sense,
-        sense * np.abs(sense),
+        sense * magnitude(sense),
         mu_x,
         mu_y,
         A_MU * mu_x / (1.0 + (A_MU - 1.0) * mu_x),

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from eom.tyre.contact import rolling_sense, rolling_speed
+from eom.tyre.contact import kept_above, rolling_sense, rolling_speed
 from eom.tyre.elementary import arctan, cos, exp, log, magnitude, sin
 from eom.tyre.mf.state import State
 from eom.tyre.parameters import Values
@@ -36,7 +36,7 @@ def overturning_52(p: Any, s: State, Fy: Values) -> Any:
 
 def resistance(p: Any, Fx: Values, speed: Values) -> Any:
     """Rolling resistance moment over radius and load, the part that both versions have."""
-    v = magnitude(speed) / p.LONGVL
+    v = kept_above(magnitude(speed), p.VXLOW) / p.LONGVL
     return p.QSY1 + p.QSY2 * Fx / p.FNOMIN + p.QSY3 * v + p.QSY4 * (v * v) * (v * v)
 
 
@@ -55,7 +55,7 @@ def rolling_52(p: Any, s: State, Fx: Values, speed: Values) -> Any:
 
 def direction(p: Any, s: State, speed: Values) -> Any:
     """Sense of the wheel's rotation, through zero at standstill."""
-    return rolling_sense(rolling_speed(s.kappa, speed), p.VXLOW)
+    return rolling_sense(rolling_speed(s.kappa, speed, p.VXLOW), p.VXLOW)
 
 
 def longitudinal_arm(p: Any, s: State, Fy: Values, gamma: Values, nominal: Values) -> Any:
