@@ -25,10 +25,8 @@ class Wheel(Tyre):
 
     def __post_init__(self) -> None:
         wrong = bound_problems(self)
-        if np.any((np.asarray(self.rolling_resistance) > 0.0) & (np.asarray(self.radius) == 0.0)):
-            wrong.append(
-                f"{type(self).__name__}: radius = 0: expected the rolling radius, as there is rolling resistance"
-            )
+        if not wrong and np.any((np.asarray(self.rolling_resistance) > 0.0) & (np.asarray(self.radius) == 0.0)):
+            wrong.append(f"{type(self).__name__}: rolling_resistance without a radius: expected a rolling radius too")
         if wrong:
             raise TyreError("\n".join(wrong))
 

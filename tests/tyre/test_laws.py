@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial import ConvexHull
 
+from eom.errors import TyreError
 from eom.tyre import Dugoff, Linear, MagicFormula, MagicFormula61, Tyre, slips, slopes
 from eom.tyre.parameters import Values
 from tests.tyre.tyres import (
@@ -250,5 +251,10 @@ def test_friction_that_vanishes_at_a_load_gives_no_force_there() -> None:
 
 def test_numbers_of_any_kind_are_taken_as_float64() -> None:
     tyre = MagicFormula(nominal_load=np.int64(4000), mu_x=1, mu_y=np.float32(1), k_x=20, k_y=15)  # type: ignore[arg-type]
-    found = tyre.forces(np.float32(0.0), 0, np.int32(4000))
+    found = tyre.forces(np.float32(0.0), 0, np.int32(4000))  # type: ignore[arg-type]
     assert [float(value) for value in found] == [0.0] * 5
+
+
+def test_rolling_resistance_needs_a_radius() -> None:
+    with pytest.raises(TyreError, match="Linear: rolling_resistance without a radius: expected a rolling radius too"):
+        Linear(nominal_load=4e3, cornering=6e4, rolling_resistance=0.01)
