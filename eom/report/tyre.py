@@ -34,18 +34,21 @@ def tyre_summary(file: TirFile) -> str:
         ("forces", tyre.use),
         ("nominal", size),
         *pressure,
-        ("load", f"{interval(tyre.FZMIN, tyre.FZMAX, 1.0)} N"),
-        ("slip angle", f"{interval(tyre.ALPMIN, tyre.ALPMAX, 180.0 / np.pi)} deg"),
-        ("slip", interval(tyre.KPUMIN, tyre.KPUMAX, 1.0)),
-        ("camber", f"{interval(tyre.CAMMIN, tyre.CAMMAX, 180.0 / np.pi)} deg"),
+        ("load", interval(tyre.FZMIN, tyre.FZMAX, 1.0, " N")),
+        ("slip angle", interval(tyre.ALPMIN, tyre.ALPMAX, 180.0 / np.pi, " deg")),
+        ("slip", interval(tyre.KPUMIN, tyre.KPUMAX, 1.0, "")),
+        ("camber", interval(tyre.CAMMIN, tyre.CAMMAX, 180.0 / np.pi, " deg")),
     ]
     width = max(len(name) for name, _ in lines)
     return "\n".join(f"{name.ljust(width)}  {text}" for name, text in lines)
 
 
-def interval(low: Values, high: Values, factor: float) -> str:
-    """Both ends of a range of measurement."""
-    return " to ".join(f"{end * factor:.4g}" for end in (low, high))
+def interval(low: Values, high: Values, factor: float, unit: str) -> str:
+    """Both ends of a range of measurement, those that are given."""
+    first, last = (f"{end * factor:.4g}" if np.isfinite(end) else "" for end in (low, high))
+    if not first and not last:
+        return "any"
+    return f"{first} to {last}{unit}" if first and last else f"{'from' if first else 'to'} {first or last}{unit}"
 
 
 def stiffness_tables(figures: Characteristics) -> str:

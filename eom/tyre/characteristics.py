@@ -75,7 +75,8 @@ def peak_of(curve: Curve, end: float, loads: Array) -> Peak:
     way = branch(curve, end, loads.shape)
     forces = np.where(way.peaks, np.abs(curve(way.ends)), np.nan)
     slips = np.where(way.peaks, way.ends, np.nan)
-    second = np.nan_to_num(forces[1]) > np.nan_to_num(forces[0])
+    # of two equal ones, which rounding would choose from, the one at positive slip
+    second = np.nan_to_num(forces[1]) >= np.nan_to_num(forces[0]) * (1.0 - 1e-9)
     return Peak(np.where(second, forces[1], forces[0]) / loads, np.where(second, slips[1], slips[0]))
 
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from eom.errors import TyreError
 from eom.tyre import fast_elementary
-from eom.tyre.interface import ARGUMENTS, Forces, Formula, Tyre, as_numbers
+from eom.tyre.interface import ARGUMENTS, REFERENCE_SPEED, Forces, Formula, Tyre, as_numbers
 from eom.tyre.parameters import Values
 
 LANES = 32
@@ -41,7 +41,9 @@ class Kernel:
     run: Callable[["np.ndarray[Any, Any]", "np.ndarray[Any, Any]", "np.ndarray[Any, Any]"], None]
     count: int
 
-    def forces(self, alpha: Values, kappa: Values, Fz: Values, gamma: Values, speed: Values) -> Forces:
+    def forces(
+        self, alpha: Values, kappa: Values, Fz: Values, gamma: Values = 0.0, speed: Values = REFERENCE_SPEED
+    ) -> Forces:
         """Forces and moments as of `Tyre.forces`; each argument is a number or has one element for each tyre."""
         arguments = np.empty((len(ARGUMENTS), self.count))
         for row, name, value in zip(arguments, ARGUMENTS, (alpha, kappa, Fz, gamma, speed), strict=True):

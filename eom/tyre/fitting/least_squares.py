@@ -58,7 +58,7 @@ def fit(tyre: T, data: Mapping[str, ArrayLike], names: Sequence[str]) -> Fit[T]:
     """Fit named coefficients of a tyre to measured points; the others stay as they are.
 
     Least squares of forces over load and of moments over load times a decimetre, the load being the root mean
-    square of all points, so that each newton counts the same at any load. The bounds of the coefficients are kept.
+    square of all points, so that forces and moments weigh alike. The bounds of the coefficients are kept.
     Derivatives are exact, by complex steps in the coefficients.
 
     Parameters
@@ -88,6 +88,8 @@ def fit(tyre: T, data: Mapping[str, ArrayLike], names: Sequence[str]) -> Fit[T]:
     """
     from scipy.optimize import least_squares  # noqa: PLC0415  slow to import
 
+    if isinstance(names, str):
+        raise TyreError(f"fit: names = {names!r}: expected a list of names, such as [{names!r}]")
     names = tuple(names)
     points = points_of(data)
     fields = fields_of(tyre, names, sum(array.size for array in points.channels.values()))

@@ -6,6 +6,7 @@ import numpy as np
 
 from eom.errors import TyreError
 from eom.tyre.elementary import arctan, exp, magnitude, sin
+from eom.tyre.interface import as_numbers
 from eom.tyre.mf.coefficients import MagicFormula52, MagicFormula61
 from eom.tyre.mf.lateral import cornering_stiffness_61
 from eom.tyre.mf.longitudinal import slip_stiffness
@@ -30,9 +31,11 @@ def relaxation_lengths(tyre: MagicFormula61 | MagicFormula52, Fz: Values, gamma:
     Raises
     ------
     TyreError
-        If a version 6.1 tyre does not know its carcass's stiffness.
+        If a version 6.1 tyre does not know its carcass's stiffness, or for a tyre of another model.
     """
-    point = 0.0, 0.0, np.asarray(Fz), np.asarray(tyre.hand * gamma), tyre.LONGVL
+    if not isinstance(tyre, MagicFormula61 | MagicFormula52):
+        raise TyreError(f"a {type(tyre).__name__} has no relaxation lengths; Magic Formula 6.1 and 5.2 tyres have")
+    point = 0.0, 0.0, as_numbers("Fz", Fz), tyre.hand * as_numbers("gamma", gamma), tyre.LONGVL
     if isinstance(tyre, MagicFormula52):
         return relaxation_52(tyre, tool_state(tyre, *point))
     return relaxation_61(tyre, (tool_state if tyre.form == "tool" else book_state)(tyre, *point))

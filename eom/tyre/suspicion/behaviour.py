@@ -29,14 +29,16 @@ def cornering_stiffness(tyre: Tyre) -> Iterator[str]:
     """Of the wrong sign, or far from that of any tyre."""
     nominal = range_of(tyre).nominal
     share = -float(np.asarray(slopes(tyre, 0.0, 0.0, nominal).alpha.Fy)) / nominal
-    if share < 0.0 and corners(tyre):
+    # shifts can put zero slip beyond a peak: the direction of the whole branch tells
+    way = branch(lambda alpha: np.asarray(tyre.forces(alpha, 0.0, nominal).Fy), 0.5 * np.pi, ())
+    if bool(way.rises) and corners(tyre):
         yield (
             f"{told(tyre, *CORNERING)}: the lateral force grows with the slip angle; ISO files have a negative PKY1, "
             "this one seems to be for other axes"
         )
     elif corners(tyre):
         yield from outside(
-            share, PLAUSIBLE_CORNERING, f"{told(tyre, *CORNERING)}: cornering stiffness over load", "1/rad"
+            share + 0.0, PLAUSIBLE_CORNERING, f"{told(tyre, *CORNERING)}: cornering stiffness over load", "1/rad"
         )
 
 
@@ -80,7 +82,7 @@ def friction(tyre: Tyre) -> Iterator[str]:
     if isinstance(tyre, Linear):
         return
     where = range_of(tyre)
-    loads = np.array([where.Fz[0], where.nominal, where.Fz[1]])
+    loads = np.linspace(*where.Fz, 13)
     curves: tuple[tuple[bool, str, tuple[str, ...], Curve, float], ...] = (
         (drives(tyre), "longitudinal", DRIVE, lambda kappa: np.asarray(tyre.forces(0.0, kappa, loads).Fx), 1.0),
         (corners(tyre), "lateral", SIDE, lambda alpha: np.asarray(tyre.forces(alpha, 0.0, loads).Fy), 0.5 * np.pi),

@@ -83,12 +83,15 @@ def ranges(tyre: Any) -> Iterator[str]:
     if 0.5 * nominal < tyre.FZMIN:
         yield f"FZMIN = {tyre.FZMIN:g} N is {tyre.FZMIN / nominal:.2f} of FNOMIN; expected 0.5 or less"
     for name, least, unit, acts in (
-        ("ALPMAX", USEFUL_ALPHA, " rad", corners(tyre)),
-        ("KPUMAX", USEFUL_KAPPA, "", drives(tyre)),
+        ("ALP", USEFUL_ALPHA, " rad", corners(tyre)),
+        ("KPU", USEFUL_KAPPA, "", drives(tyre)),
     ):
-        if acts and getattr(tyre, name) < least:
-            end = f"{name} = {getattr(tyre, name):g}{unit}"
+        if acts and getattr(tyre, f"{name}MAX") < least:
+            end = f"{name}MAX = {getattr(tyre, f'{name}MAX'):g}{unit}"
             yield f"{end} ends before the peak of the force; expected {least:g}{unit} or more"
+        if acts and getattr(tyre, f"{name}MIN") > -least:
+            end = f"{name}MIN = {getattr(tyre, f'{name}MIN'):g}{unit}"
+            yield f"{end} ends before the peak of the force; expected {-least:g}{unit} or less"
 
 
 COEFFICIENTS: tuple[Rule, ...] = (kink, one_direction, scaling, pressure, rolling_load, absent, ranges)

@@ -11,6 +11,7 @@ from eom.tyre.suspicion.behaviour import BEHAVIOUR
 from eom.tyre.suspicion.coefficients import COEFFICIENTS
 from eom.tyre.suspicion.combined import COMBINED
 from eom.tyre.suspicion.curves import MAGIC_CURVES, THESIS_CURVES
+from eom.tyre.suspicion.proportion import PROPORTIONS
 
 
 # coefficients beyond all sense divide by zero; what is then no number is suspicious, or no matter for a rule
@@ -30,7 +31,7 @@ def suspicions(tyre: Tyre) -> tuple[str, ...]:
         raise TyreError("suspicions: expected one tyre, not a stack")
     rules = [*BEHAVIOUR, *COMBINED]
     if isinstance(tyre, MagicFormula61 | MagicFormula52):
-        rules += [*MAGIC_CURVES, *COEFFICIENTS]
+        rules += [*MAGIC_CURVES, *COEFFICIENTS, *PROPORTIONS]
     elif isinstance(tyre, MagicFormula):
         rules += THESIS_CURVES
     return tuple(sentence for rule in rules for sentence in rule(tyre))
