@@ -72,7 +72,8 @@ class Carpet:
             axes.legend(
                 title=title, fontsize="small", title_fontsize="small", loc="center left", bbox_to_anchor=(1, 0.5)
             )
-        figure.suptitle(self.title)
+        ellipse.set_title(f"at {self.ellipse.Fz[0, 0] * KILO:.3g} kN", fontsize="medium")
+        figure.suptitle(f"{self.title}, upright, at 60 km/h")
         return figure
 
 
@@ -107,13 +108,20 @@ def carpet(tyre: Tyre, title: str = "") -> Carpet:
     loads = inside(where.nominal * np.array(LOADS), where.Fz)
     degrees = np.array(ELLIPSE)
     angles = inside(np.deg2rad(np.concatenate([-degrees[:0:-1], degrees])), where.alpha)
-    alpha, kappa = np.linspace(*where.alpha, POINTS), np.linspace(*where.kappa, POINTS)
+    alpha, kappa = (spread(ends) for ends in (where.alpha, where.kappa))
     return Carpet(
         title,
         sweep(tyre, alpha, 0.0, loads[:, np.newaxis]),
         sweep(tyre, 0.0, kappa, loads[:, np.newaxis]),
         sweep(tyre, angles[:, np.newaxis], kappa, where.nominal),
     )
+
+
+def spread(ends: tuple[float, float]) -> Array:
+    """Slips from end to end, closer about zero, where curves are steep."""
+    t = np.linspace(-1.0, 1.0, POINTS)
+    t = 0.2 * t + 0.8 * t**3
+    return np.where(t < 0.0, -t * ends[0], t * ends[1])
 
 
 def sweep(tyre: Tyre, alpha: Values, kappa: Values, Fz: Values) -> Sweep:
