@@ -83,3 +83,16 @@ def test_a_nominal_load_of_its_own_changes_no_slope() -> None:
     loads = np.linspace(5e3, 3e4, 7)
     # the same polynomial about another load: rounding of a few operations
     assert np.allclose(slopes(one, 0, 0, loads).alpha.Fy, slopes(other, 0, 0, loads).alpha.Fy, rtol=1e-12, atol=0.0)
+
+
+@pytest.mark.parametrize(
+    ("others", "sentence"),
+    [
+        ({"mu_y": 0.9}, "fit_stiffness: mu_x: expected the friction too"),
+        ({**FRICTION, "nominal_load": 0.0}, "nominal_load = 0.0: expected a number above zero, in N"),
+        ({**FRICTION, "nominal_load": "heavy"}, "nominal_load = 'heavy': expected a number above zero"),
+    ],
+)
+def test_what_a_tyre_needs_besides_is_asked_for(others: dict[str, Any], sentence: str) -> None:
+    with pytest.raises(TyreError, match=sentence):
+        fit_stiffness([1e4], [1e5], [1e5], **others)

@@ -1,5 +1,6 @@
 """Magic Formula coefficients that meet given stiffnesses at given loads."""
 
+from numbers import Real
 from typing import Any
 
 import numpy as np
@@ -47,6 +48,10 @@ def fit_stiffness(loads: ArrayLike, cornering: ArrayLike, longitudinal: ArrayLik
     points = {"loads": loads, "cornering": cornering, "longitudinal": longitudinal}
     Fz, C_y, C_x = columns(points)
     nominal = others.pop("nominal_load", float(Fz[0]))
+    if missing := sorted({"mu_x", "mu_y"} - others.keys()):
+        raise TyreError(f"fit_stiffness: {', '.join(missing)}: expected the friction too")
+    if not isinstance(nominal, Real) or not 0.0 < nominal < np.inf:
+        raise TyreError(f"fit_stiffness: nominal_load = {nominal!r}: expected a number above zero, in N")
     if wrong := [
         f"fit_stiffness: {problem}" for problem in problems(Fz, {"cornering": C_y, "longitudinal": C_x}, nominal)
     ]:
