@@ -1,6 +1,5 @@
 """Magic Formula coefficients that meet given stiffnesses at given loads."""
 
-from numbers import Real
 from typing import Any
 
 import numpy as np
@@ -50,7 +49,7 @@ def fit_stiffness(loads: ArrayLike, cornering: ArrayLike, longitudinal: ArrayLik
     nominal = others.pop("nominal_load", float(Fz[0]))
     if missing := sorted({"mu_x", "mu_y"} - others.keys()):
         raise TyreError(f"fit_stiffness: {', '.join(missing)}: expected the friction too")
-    if not isinstance(nominal, Real) or not 0.0 < nominal < np.inf:
+    if not isinstance(nominal, (int, float)) or not 0.0 < nominal < np.inf:
         raise TyreError(f"fit_stiffness: nominal_load = {nominal!r}: expected a number above zero, in N")
     if wrong := [
         f"fit_stiffness: {problem}" for problem in problems(Fz, {"cornering": C_y, "longitudinal": C_x}, nominal)
