@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from eom.tyre.elementary import magnitude, maximum, minimum, sin
+from eom.tyre.elementary import maximum, minimum, sin
 from eom.tyre.parameters import Values
 
 LIFT = 0.01
@@ -25,9 +25,9 @@ def contact(Fz: Values, nominal: Values) -> tuple[Any, Any]:
     stays below Fz. Both have continuous first derivatives in Fz.
     """
     low = LIFT * nominal
-    load = maximum(Fz, 0.0)
-    x = minimum(load / low, 1.0)
-    return kept_above(load, low), x * x * (3.0 - 2.0 * x)
+    x = minimum(maximum(Fz / low, 0.0), 1.0)
+    square = x * x
+    return maximum(Fz, 0.5 * low * (1.0 + square)), square * (3.0 - 2.0 * x)
 
 
 def rolling_sense(v: Values, low_speed: Values) -> Any:
@@ -37,4 +37,4 @@ def rolling_sense(v: Values, low_speed: Values) -> Any:
 
 def rolling_speed(kappa: Values, speed: Values, low_speed: Values) -> Any:
     """Speed of the tread omega R_e [m/s] that belongs to a slip at a forward speed, as `eom.tyre.slips` defines it."""
-    return speed + kappa * kept_above(magnitude(speed), low_speed)
+    return speed + kappa * kept_above(np.abs(speed), low_speed)

@@ -79,8 +79,13 @@ class Tyre(Protocol):
 
 def evaluate(tyre: Tyre, *arguments: Values) -> Forces:
     """A tyre's formula at alpha, kappa, Fz, gamma, speed; raises `TyreError` for what is no finite number."""
-    arrays = [as_numbers(name, value) for name, value in zip(ARGUMENTS, arguments, strict=True)]
+    arrays = [as_array(name, value) for name, value in zip(ARGUMENTS, arguments, strict=True)]
     try:
+        alpha, kappa, Fz, gamma, speed = arrays
+        # one look at the sum is quicker than one at each; an infinite one of finite numbers passes the second look
+        if not np.isfinite(alpha + kappa + Fz + gamma + speed).all():
+            for name, array in zip(ARGUMENTS, arrays, strict=True):
+                check_finite(name, array)
         found = [np.asarray(value) for value in tyre.formula(tyre, *arrays)]
         shape = np.broadcast(*arrays, *found).shape
     except ValueError:
@@ -91,12 +96,23 @@ def evaluate(tyre: Tyre, *arguments: Values) -> Forces:
 
 def as_numbers(name: str, value: Values) -> "np.ndarray[Any, Any]":
     """An argument as an array of finite numbers, which may be complex."""
+    array = as_array(name, value)
+    check_finite(name, array)
+    return array
+
+
+def as_array(name: str, value: Values) -> "np.ndarray[Any, Any]":
+    """An argument as an array of numbers in double precision, which may be complex."""
     array = np.asarray(value)
-    if array.dtype not in (np.float64, np.complex128):
+    if array.dtype.char not in "dD":
         try:
-            array = array.astype(np.complex128 if array.dtype.kind == "c" else np.float64)
+            return array.astype(np.complex128 if array.dtype.kind == "c" else np.float64)
         except (TypeError, ValueError):
             raise TyreError(f"{name}: expected a number or an array of numbers") from None
+    return array
+
+
+def check_finite(name: str, array: "np.ndarray[Any, Any]") -> None:
+    """Raise `TyreError` for an argument that is not finite."""
     if not np.isfinite(array).all():
         raise TyreError(f"{name}: expected finite numbers")
-    return array
