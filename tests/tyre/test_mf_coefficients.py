@@ -102,7 +102,7 @@ def test_a_coefficient_out_of_its_bounds_gets_its_sentence(change: dict[str, obj
 
 def test_all_wrong_coefficients_are_told_at_once() -> None:
     with pytest.raises(TyreError) as caught:
-        MagicFormula52(**{**NEEDED, "PCX1": -1.0, "PTY2": 0.0, "FZMAX": -1.0, "side": "top"})
+        MagicFormula52(**{**NEEDED, "PCX1": -1.0, "PTY1": 2.0, "PTY2": 0.0, "FZMAX": -1.0, "side": "top"})
     told = {line.split(" = ")[0] for line in str(caught.value).splitlines()}
     assert told == {f"MagicFormula52: {name}" for name in ("PCX1", "PTY2", "FZMAX", "side")}
 

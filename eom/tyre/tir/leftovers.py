@@ -2,11 +2,24 @@
 
 import difflib
 from collections.abc import Collection, Iterable
+from dataclasses import Field
 from itertools import groupby
 from typing import Any
 
 from eom.tyre.mf.coefficients import MagicFormula52, MagicFormula61
-from eom.tyre.tir.keys import HEADERS, SECTIONS, SHAPE_OF, SUBJECT_OF, WITHOUT_MEANING, Tyre, fields_of, is_coefficient
+from eom.tyre.tir.keys import (
+    ALIASES,
+    HEADERS,
+    OTHER_SECTIONS,
+    SECTION_OF,
+    SECTIONS,
+    SUBJECT_OF,
+    WITHOUT_MEANING,
+    Tyre,
+    fields_of,
+    is_coefficient,
+    unit_of,
+)
 from eom.tyre.tir.text import Entry, TirText, number, shown
 
 MAX_GUESSES, MAX_KEY, MAX_LISTED = 50, 40, 30
@@ -22,23 +35,18 @@ def read_leftovers(text: TirText, version: type[Tyre], entries: list[Entry], sai
     other = MagicFormula52 if version is MagicFormula61 else MagicFormula61
     fields = fields_of(version)
     foreign = {name: item for name, item in fields_of(other).items() if name not in fields}
-    acting = {entry.key for entry in entries if number(entry.value) != 0}
     noted: list[tuple[str, Entry]] = []
     strange: list[Entry] = []
     for entry in entries:
-        if entry.key in foreign:
-            default: Any = foreign[entry.key].default
-            if says_nothing(entry, default):
-                continue
-            terms = SHAPE_OF.get(entry.key)
-            if is_coefficient(entry.key) and (terms is None or acting.intersection(terms)):
-                what = f"belongs to {NAMES[other]} and would be ignored: set it to {default:g}, or change FITTYP"
-                text.report_key(entry, what)
-            else:
-                noted.append((f"not part of {NAMES[version]}", entry))
+        name = ALIASES.get(entry.key, entry.key)
+        if name in foreign:
+            if not says_nothing(entry, foreign[name].default):
+                noted.append((reason_of(name, foreign[name], version, other), entry))
         elif entry.key in SUBJECT_OF:
             if not says_nothing(entry, float(entry.key.startswith("L"))):
                 noted.append((f"not modelled: {SUBJECT_OF[entry.key]}", entry))
+        elif entry.section in OTHER_SECTIONS:
+            noted.append(("unknown, not read", entry))
         elif entry.section not in SECTIONS:
             noted.append(("unknown section, not read", entry))
         elif entry.key not in WITHOUT_MEANING:
@@ -48,6 +56,13 @@ def read_leftovers(text: TirText, version: type[Tyre], entries: list[Entry], sai
     meant, unknown = report_strange(text, strange, names)
     add_notes(text, noted + [("unknown, not read", entry) for entry in unknown])
     return meant
+
+
+def reason_of(name: str, item: "Field[Any]", version: type[Tyre], other: type[Tyre]) -> str:
+    """Why a number of the other version is left out."""
+    if is_coefficient(name):
+        return f"no effect in {NAMES[version]}; change FITTYP if fitted for {NAMES[other]}"
+    return f"{NAMES[version]} has no pressure" if unit_of(item) == "Pa" else f"not part of {NAMES[version]}"
 
 
 def report_strange(text: TirText, strange: list[Entry], names: list[str]) -> tuple[frozenset[str], list[Entry]]:
@@ -91,7 +106,15 @@ def add_notes(text: TirText, noted: list[tuple[str, Entry]]) -> None:
     ordered = sorted(noted, key=lambda item: (item[1].section, item[0], item[1].line))
     for (section, reason), items in groupby(ordered, key=lambda item: (item[1].section, item[0])):
         entries = [entry for _, entry in items]
-        text.note((entries[0].line, entries[0].column), section, f"{reason} ({listed(e.key for e in entries)})")
+        names = listed(told(entry) for entry in entries)
+        text.note((entries[0].line, entries[0].column), section, f"{reason} ({names})")
+
+
+def told(entry: Entry) -> str:
+    """A key, with its value if that is a coefficient that forces would need."""
+    name = ALIASES.get(entry.key, entry.key)
+    acts = entry.key.startswith(("LKG", "LIP", "QP")) or (name in SECTION_OF and is_coefficient(name))
+    return f"{entry.key} = {entry.value}" if acts else entry.key
 
 
 def read_rows(text: TirText) -> None:
@@ -100,7 +123,8 @@ def read_rows(text: TirText) -> None:
         line, column, _ = rows[0]
         if section in SECTIONS or section == "UNITS":
             for *place, content in rows:
-                text.report((place[0], place[1]), section, f"expected KEY = value, got {shown(content)}")
+                hint = "; a comment that goes on? start it with $" if content[0].isalpha() else ""
+                text.report((place[0], place[1]), section, f"expected KEY = value, got {shown(content)}{hint}")
         elif section not in HEADERS:
             text.note((line, column), section, f"not modelled: a table of {len(rows)} lines")
 
