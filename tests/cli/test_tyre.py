@@ -69,7 +69,7 @@ def test_notes_and_suspicions_are_told_with_their_numbers(
     out = capsys.readouterr().out
     assert "PKY1 = 21, PKY2 = 1.6: the lateral force grows with the slip angle" in out
     line = 1 + next(k for k, text in enumerate(text.splitlines()) if text.startswith("FITTYP"))
-    assert f"{file}:{line}:" in out
+    assert f"  line {line}: MODEL.FITTYP: read by the equations of the Magic Formula 6.1" in out
 
 
 def test_mistakes_of_a_file_give_their_sentences_and_status_2(

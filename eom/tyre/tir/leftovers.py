@@ -40,7 +40,8 @@ def read_leftovers(text: TirText, version: type[Tyre], entries: list[Entry], sai
     for entry in entries:
         name = ALIASES.get(entry.key, entry.key)
         if name in foreign:
-            if not says_nothing(entry, foreign[name].default):
+            default: Any = foreign[name].default
+            if not says_nothing(entry, default):
                 noted.append((reason_of(name, foreign[name], version, other), entry))
         elif entry.key in SUBJECT_OF:
             if not says_nothing(entry, float(entry.key.startswith("L"))):

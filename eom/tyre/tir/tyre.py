@@ -5,9 +5,9 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from eom.errors import DescriptionError, Mistake
-from eom.tyre.tir.keys import ALIASES, HEADERS, SECTION_OF, SECTIONS, Tyre, fields_of, is_coefficient, unit_of
 from eom.tyre.suspicion.combined import no_weight
 from eom.tyre.tir.directions import absent_direction, acts, note_absent
+from eom.tyre.tir.keys import ALIASES, HEADERS, SECTION_OF, SECTIONS, Tyre, fields_of, is_coefficient, unit_of
 from eom.tyre.tir.leftovers import listed, read_leftovers, read_rows
 from eom.tyre.tir.model import KEYS, model_entries, read_model, read_version
 from eom.tyre.tir.numbers import Place, check_missing, check_relations, note_pressure, read_number, read_plain
