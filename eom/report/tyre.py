@@ -52,7 +52,7 @@ def interval(low: Values, high: Values, unit: str = "") -> str:
     """Both ends of a range of measurement."""
     if np.isinf(high) and (low == 0.0 or np.isinf(low)):
         return "no range given"
-    return f"{low:.5g} to {high:.5g}{unit}"
+    return " to ".join(f"{round(float(end), 2):.9g}" for end in (low, high)) + unit
 
 
 def stiffness_tables(figures: Characteristics) -> str:

@@ -31,7 +31,8 @@ def values(version: type[MagicFormula61 | MagicFormula52]) -> st.SearchStrategy[
     for name, item in fields_of(version).items():
         positive = item.metadata.get("above") == 0 or item.metadata.get("at_least") == 0
         numbers = st.floats(min_value=5e-324 if positive else None, allow_nan=False, allow_infinity=False)
-        strategies[name] = numbers.filter(bool) if item.metadata.get("non_zero") else numbers
+        # PTY1 forbids PTY2 to be zero
+        strategies[name] = numbers.filter(bool) if item.metadata.get("non_zero") or name == "PTY2" else numbers
     ends = [item.name for item in limits(version)]
     for low, high in zip(ends[::2], ends[1::2], strict=True):
         strategies[low] = (

@@ -66,7 +66,8 @@ NOT_MODELLED: Mapping[str, str] = {
     "DYNAMIC_DAMPING",
     "contact patch and uneven road": "Q_RA1 Q_RA2 Q_RB1 Q_RB2 ELLIPS_SHIFT ELLIPS_LENGTH ELLIPS_HEIGHT ELLIPS_ORDER "
     "ELLIPS_MAX_STEP ELLIPS_NWIDTH ELLIPS_NLENGTH ENV_C1 ENV_C2 CONTACT_MODEL",
-    "loaded radius with camber": "Q_FZ3 Q_CAM Q_CAM1 Q_CAM2 Q_CAM3 Q_FCY2 Q_FYS1 Q_FYS2 Q_FYS3 MC_CONTOUR_A MC_CONTOUR_B",
+    "loaded radius with camber": "Q_FZ3 Q_CAM Q_CAM1 Q_CAM2 Q_CAM3 Q_FCY2 Q_FYS1 Q_FYS2 Q_FYS3 "
+    "MC_CONTOUR_A MC_CONTOUR_B",
     "contact of the rim": "BOTTOM_OFFST BOTTOM_STIFF BOTTOMING_RADIUS",
     "PAC2002's own, which the forces here lack": "LKG LIP QPX1 QPY1 QPY2 QPZ1 QPZ2",
     "PAC2002's own, which the relaxation lengths here lack": "PTX4 PTY3",
