@@ -5,8 +5,8 @@ from pathlib import Path
 import typer
 
 from eom.report.pictures import FORMATS, save
-from eom.report.tyre import sentences, stiffness_tables, tyre_summary, write_carpet
-from eom.tyre import read_tir, suspicions
+from eom.report.tyre import remarks, stiffness_tables, tyre_summary, write_carpet
+from eom.tyre import read_tir
 from eom.tyre.carpet import carpet
 from eom.tyre.characteristics import characteristics, usual_loads
 
@@ -16,7 +16,7 @@ def run_tyre(file: Path, out: Path | None) -> None:
     read = read_tir(file)
     figures = characteristics(read.tyre, usual_loads(read.tyre))
     typer.echo(f"{tyre_summary(read)}\n\n{stiffness_tables(figures)}\n")
-    typer.echo(f"{sentences('notes', read.notes)}\n{sentences('suspicious', suspicions(read.tyre))}")
+    typer.echo(remarks(read))
     if out is None:
         return
     out.mkdir(parents=True, exist_ok=True)

@@ -1,7 +1,8 @@
 """A tyre as tables and a file of numbers."""
 
 import csv
-from collections.abc import Iterable, Sequence
+import textwrap
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +14,11 @@ from eom.tyre.characteristics import Characteristics
 from eom.tyre.interface import Forces
 from eom.tyre.mf.coefficients import MagicFormula52, MagicFormula61
 from eom.tyre.parameters import Values
+from eom.tyre.suspicion.rules import suspicions
 from eom.tyre.tir.file import TirFile
+
+WIDTH = 100
+"""Columns of a screen that sentences are wrapped to."""
 
 VERSIONS = {MagicFormula61: "Magic Formula 6.1", MagicFormula52: "Magic Formula 5.2"}
 
@@ -34,52 +39,53 @@ def tyre_summary(file: TirFile) -> str:
         ("forces", tyre.use),
         ("nominal", size),
         *pressure,
-        ("load", interval(tyre.FZMIN, tyre.FZMAX, 1.0, " N")),
-        ("slip angle", interval(tyre.ALPMIN, tyre.ALPMAX, 180.0 / np.pi, " deg")),
-        ("slip", interval(tyre.KPUMIN, tyre.KPUMAX, 1.0, "")),
-        ("camber", interval(tyre.CAMMIN, tyre.CAMMAX, 180.0 / np.pi, " deg")),
+        ("load", interval(tyre.FZMIN, tyre.FZMAX, " N")),
+        ("slip angle", interval(np.rad2deg(tyre.ALPMIN), np.rad2deg(tyre.ALPMAX), " deg")),
+        ("slip", interval(tyre.KPUMIN, tyre.KPUMAX)),
+        ("camber", interval(np.rad2deg(tyre.CAMMIN), np.rad2deg(tyre.CAMMAX), " deg")),
     ]
     width = max(len(name) for name, _ in lines)
     return "\n".join(f"{name.ljust(width)}  {text}" for name, text in lines)
 
 
-def interval(low: Values, high: Values, factor: float, unit: str) -> str:
-    """Both ends of a range of measurement, those that are given."""
-    first, last = (f"{end * factor:.4g}" if np.isfinite(end) else "" for end in (low, high))
-    if not first and not last:
-        return "any"
-    return f"{first} to {last}{unit}" if first and last else f"{'from' if first else 'to'} {first or last}{unit}"
+def interval(low: Values, high: Values, unit: str = "") -> str:
+    """Both ends of a range of measurement."""
+    if np.isinf(high) and (low == 0.0 or np.isinf(low)):
+        return "no range given"
+    return " to ".join(f"{round(float(end), 2):.9g}" for end in (low, high)) + unit
 
 
 def stiffness_tables(figures: Characteristics) -> str:
     """Figures over load: one table of the lateral direction, one of the longitudinal one."""
     per_degree = np.deg2rad(figures.cornering)
     lateral = {
-        "load [N]": column(figures.Fz, 0),
-        "cornering [N/rad]": column(figures.cornering, 0),
-        "[N/deg]": column(per_degree, 1),
-        "per load": column(figures.cornering / figures.Fz, 2),
-        "camber [N/rad]": column(figures.camber, 0),
-        "peak Fy/Fz": column(figures.side.friction, 3),
-        "at [deg]": column(np.rad2deg(figures.side.slip), 2),
-        "trail [mm]": column(1e3 * figures.trail, 1),
-        "relaxation [m]": column(np.asarray(figures.relaxation.alpha), 3),
+        ("load", "[N]"): column(figures.Fz, 0),
+        ("cornering", "[N/rad]"): column(figures.cornering, 0),
+        ("stiffness", "[N/deg]"): column(per_degree, 1),
+        ("over load", "[1/rad]"): column(figures.cornering / figures.Fz, 2),
+        ("camber st.", "[N/rad]"): column(figures.camber, 0),
+        ("peak", "Fy/Fz"): column(figures.side.friction, 3),
+        ("at", "[deg]"): column(np.rad2deg(figures.side.slip), 2),
+        ("trail", "[mm]"): column(1e3 * figures.trail, 1),
+        ("relaxation", "[m]"): column(np.asarray(figures.relaxation.alpha), 3),
     }
     longitudinal = {
-        "load [N]": column(figures.Fz, 0),
-        "slip stiffness [N]": column(figures.longitudinal, 0),
-        "per load": column(figures.longitudinal / figures.Fz, 2),
-        "peak Fx/Fz": column(figures.drive.friction, 3),
-        "at slip": column(figures.drive.slip, 4),
-        "relaxation [m]": column(np.asarray(figures.relaxation.kappa), 3),
+        ("load", "[N]"): column(figures.Fz, 0),
+        ("slip stiffness", "[N]"): column(figures.longitudinal, 0),
+        ("over load", ""): column(figures.longitudinal / figures.Fz, 2),
+        ("peak", "Fx/Fz"): column(figures.drive.friction, 3),
+        ("at", "slip"): column(figures.drive.slip, 4),
+        ("relaxation", "[m]"): column(np.asarray(figures.relaxation.kappa), 3),
     }
     return "\n\n".join(
-        f"{title}\n{table(list(columns), zip(*columns.values(), strict=True), 0)}"
-        for title, columns in (
-            ("lateral: stiffnesses at zero slip, peak, trail, relaxation length", lateral),
-            ("longitudinal: stiffness at zero slip, peak, relaxation length", longitudinal),
-        )
+        f"{title}\n{table([name for name, _ in columns], [[unit for _, unit in columns], *rows_of(columns)], 0)}"
+        for title, columns in (("lateral", lateral), ("longitudinal", longitudinal))
     )
+
+
+def rows_of(columns: Mapping[tuple[str, str], list[str]]) -> list[tuple[str, ...]]:
+    """The lines below the names and units of columns."""
+    return list(zip(*columns.values(), strict=True))
 
 
 def column(values: "np.ndarray[Any, Any]", digits: int) -> list[str]:
@@ -88,9 +94,20 @@ def column(values: "np.ndarray[Any, Any]", digits: int) -> list[str]:
     return [f"{round(value, digits) + 0.0:.{digits}f}" if np.isfinite(value) else "-" for value in values.tolist()]
 
 
-def sentences(title: str, texts: Sequence[object]) -> str:
-    """A title with a line for each text; or that there is none."""
-    return f"{title}\n" + "\n".join(f"  {text}" for text in texts) if texts else f"{title}: none"
+def remarks(file: TirFile) -> str:
+    """Notes on a file with their lines, then what is suspicious about its tyre and not noted."""
+    told = [f"line {note.line}: {note.where}: {note.what}" for note in file.notes]
+    odd = [text for text in suspicions(file.tyre) if not any(text in note.what for note in file.notes)]
+    return f"{sentences('notes', told)}\n{sentences('suspicious', odd)}"
+
+
+def sentences(title: str, texts: Sequence[str]) -> str:
+    """A title with a paragraph for each text; or that there is none."""
+    if not texts:
+        return f"{title}: none"
+    return "\n".join(
+        [title, *(textwrap.fill(text, WIDTH, initial_indent="  ", subsequent_indent="    ") for text in texts)]
+    )
 
 
 def write_carpet(path: Path, curves: Carpet) -> None:

@@ -69,7 +69,27 @@ def test_notes_and_suspicions_are_told_with_their_numbers(
     out = capsys.readouterr().out
     assert "PKY1 = 21, PKY2 = 1.6: the lateral force grows with the slip angle" in out
     line = 1 + next(k for k, text in enumerate(text.splitlines()) if text.startswith("FITTYP"))
-    assert f"{file}:{line}:" in out
+    assert f"  line {line}: MODEL.FITTYP: read by the equations of the Magic Formula 6.1" in out
+
+
+def test_what_a_note_says_is_not_said_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = CAR.read_text(encoding="utf-8")
+    lines = [line for line in text.splitlines() if not line.startswith(("PCX1", "PDX1", "PKX1"))]
+    for k, (content, sentence) in enumerate(
+        (
+            ("\n".join(lines), "the tyre has no longitudinal force"),
+            (text.replace("\nRBX1", "\n$").replace("\nRBY1", "\n$"), "RBX1 = 0, RBY1 = 0: the slips"),
+        )
+    ):
+        file = tmp_path / f"tyre{k}.tir"
+        file.write_text(content, encoding="utf-8")
+        assert run(monkeypatch, "tyre", file) == 0
+        out = capsys.readouterr().out
+        assert out.count(sentence) == 1
+        assert "suspicious: none" in out
+        assert max(map(len, out.splitlines())) <= 120
 
 
 def test_mistakes_of_a_file_give_their_sentences_and_status_2(

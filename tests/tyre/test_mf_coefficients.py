@@ -5,10 +5,12 @@ import math
 import re
 from typing import Any
 
+import numpy as np
 import pytest
 
 from eom.errors import TyreError
 from eom.tyre import MagicFormula52, MagicFormula61
+from eom.tyre.mf.relaxation import relaxation_lengths
 from eom.tyre.parameters import coefficients
 from eom.tyre.tir.keys import SECTION_OF, fields_of
 
@@ -102,7 +104,7 @@ def test_a_coefficient_out_of_its_bounds_gets_its_sentence(change: dict[str, obj
 
 def test_all_wrong_coefficients_are_told_at_once() -> None:
     with pytest.raises(TyreError) as caught:
-        MagicFormula52(**{**NEEDED, "PCX1": -1.0, "PTY2": 0.0, "FZMAX": -1.0, "side": "top"})
+        MagicFormula52(**{**NEEDED, "PCX1": -1.0, "PTY1": 2.0, "PTY2": 0.0, "FZMAX": -1.0, "side": "top"})
     told = {line.split(" = ")[0] for line in str(caught.value).splitlines()}
     assert told == {f"MagicFormula52: {name}" for name in ("PCX1", "PTY2", "FZMAX", "side")}
 
@@ -123,3 +125,20 @@ def test_a_tyre_for_both_sides_is_the_same_on_each() -> None:
 def test_there_is_no_third_side() -> None:
     with pytest.raises(TyreError, match="on side 'left' or 'right', not 'front'"):
         MagicFormula61(**NEEDED).on("front")  # type: ignore[arg-type]
+
+
+def test_a_version_52_tyre_without_a_lateral_relaxation_length_has_zero() -> None:
+    tyre = MagicFormula52(**{**NEEDED, "PTX1": 2.0, "PTY1": 0.0, "PTY2": 0.0})
+    found = relaxation_lengths(tyre, np.array([0.0, 4000.0]))
+    assert np.all(np.asarray(found.kappa) > 0.0)
+    assert np.array_equal(found.alpha, [0.0, 0.0])
+
+
+def test_the_greatest_lateral_relaxation_length_is_at_its_load() -> None:
+    tyre = MagicFormula52(**{**NEEDED, "PTY1": 2.0, "PTY2": 1.5})
+    loads = np.array([0.5, 1.0, 1.5]) * 1.5 * tyre.FNOMIN
+    found = np.asarray(relaxation_lengths(tyre, loads).alpha)
+    # PTY1 R0 sin(2 arctan(Fz/(PTY2 FNOMIN))), rounding of a few operations
+    expected = 2.0 * tyre.UNLOADED_RADIUS * np.sin(2.0 * np.arctan([0.5, 1.0, 1.5]))
+    assert np.allclose(found, expected, rtol=1e-14)
+    assert np.argmax(found) == 1

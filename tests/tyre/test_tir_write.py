@@ -31,7 +31,8 @@ def values(version: type[MagicFormula61 | MagicFormula52]) -> st.SearchStrategy[
     for name, item in fields_of(version).items():
         positive = item.metadata.get("above") == 0 or item.metadata.get("at_least") == 0
         numbers = st.floats(min_value=5e-324 if positive else None, allow_nan=False, allow_infinity=False)
-        strategies[name] = numbers.filter(bool) if item.metadata.get("non_zero") else numbers
+        # PTY1 forbids PTY2 to be zero
+        strategies[name] = numbers.filter(bool) if item.metadata.get("non_zero") or name == "PTY2" else numbers
     ends = [item.name for item in limits(version)]
     for low, high in zip(ends[::2], ends[1::2], strict=True):
         strategies[low] = (
@@ -118,7 +119,7 @@ def test_comments_order_and_unknown_keys_survive_a_change(tmp_path: Path) -> Non
     ("changes", "sentence"),
     [
         ({"PDY9": 1.0}, "PDY9 is no coefficient of a MagicFormula61"),
-        ({"PEY1": 1.0}, "PEY1 is not in the file: write_tir writes a complete one"),
+        ({"PEY1": 1.0}, "PEY1 is not given in the file: write_tir writes a complete one"),
         ({"FNOMIN": -1.0}, "FNOMIN = -1.0: expected more than 0 N"),
         ({"FNOMIN": math.nan}, "FNOMIN = nan: expected a finite number"),
         ({"FNOMIN": "heavy"}, "FNOMIN = heavy: expected a finite number"),
@@ -130,9 +131,41 @@ def test_a_change_that_cannot_be_is_refused(changes: dict[str, Any], sentence: s
         read(NEWER).text_with(**changes)
 
 
+@pytest.mark.parametrize(
+    ("line", "expected"),
+    [("WIDTH =", "WIDTH =0.2"), ("WIDTH =   $ m", "WIDTH = 0.2  $ m"), ("WIDTH = ! m", "WIDTH = 0.2! m")],
+)
+def test_a_change_fills_a_value_that_was_not_given(line: str, expected: str) -> None:
+    text = f"{NEWER}[DIMENSION]\n{line}\nASPECT_RATIO =\n"
+    assert read(text).tyre.WIDTH == 0.0
+    assert read(text).text_with(WIDTH=0.2) == text.replace(line, expected)
+
+
+@given(st.integers(1, 10**6), st.integers(0, 4))
+def test_a_change_is_written_with_no_more_digits_than_it_has(digits: int, places: int) -> None:
+    inch = NEWER.replace("UNLOADED_RADIUS = 0.3", "UNLOADED_RADIUS = 12")
+    number = f"{digits / 10**places:.{max(places, 1)}f}"
+    file = read(f"[UNITS]\nLENGTH = 'inch'\n{inch}")
+    radius = read(file.text.replace("RADIUS = 12", f"RADIUS = {number}")).tyre.UNLOADED_RADIUS
+    written = re.search("UNLOADED_RADIUS = (.*)", file.text_with(UNLOADED_RADIUS=float(radius)))
+    assert written
+    assert float(written[1]) == float(number)
+
+
+def test_a_change_in_millimetres_is_written_as_people_write_it() -> None:
+    assert "UNLOADED_RADIUS = 432.1\n" in read(OTHER_UNITS).text_with(UNLOADED_RADIUS=0.4321)
+
+
+def test_a_coefficient_of_a_direction_that_the_file_lacks_cannot_be_changed_alone() -> None:
+    text = NEWER.replace("= 1.6", "= 0").replace("= 1.1", "= 0").replace("PKX1 = 20", "PKX1 = 0")
+    with pytest.raises(TyreError, match="PDX1 is not given in the file: write_tir writes a complete one"):
+        read(text).text_with(PDX1=1.2)
+    assert read(read(text).text_with(PDY1=0.9)).tyre == dataclasses.replace(read(text).tyre, PDY1=0.9)
+
+
 def test_a_change_that_would_change_more_is_refused() -> None:
     text = NEWER.replace("INFLPRES = 230000\n", "")
-    with pytest.raises(TyreError, match="INFLPRES is not in the file and would follow NOMPRES"):
+    with pytest.raises(TyreError, match="INFLPRES is not in the file and would change as well"):
         read(text).text_with(NOMPRES=2e5)
 
 

@@ -27,8 +27,8 @@ from eom.tyre.mf.ranges import (
     LongSlipRange,
     SlipAngleRange,
     VerticalForceRange,
-    range_problems,
 )
+from eom.tyre.mf.relations import relation_problems
 from eom.tyre.mf.scaling import Scaling52, Scaling61
 from eom.tyre.parameters import Values, bound_problems
 
@@ -64,7 +64,7 @@ class Mounting(Tyre, Model, Dimension, LongSlipRange, SlipAngleRange, Inclinatio
     def __post_init__(self) -> None:
         name = type(self).__name__
         wrong = bound_problems(self)
-        wrong += [f"{name}: {key} = {getattr(self, key)}: {what}" for key, what in range_problems(self, vars(self))]
+        wrong += [f"{name}: {key} = {getattr(self, key)}: {what}" for key, what in relation_problems(self, vars(self))]
         wrong += [
             f"{name}: {key} = {getattr(self, key)!r}: expected one of {', '.join(map(repr, known))}"
             for key, known in CHOICES.items()

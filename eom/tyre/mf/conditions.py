@@ -46,7 +46,9 @@ class Vertical:
     BREFF: Values = coefficient("effective radius: slope at low load", default=0.0)
     DREFF: Values = coefficient("effective radius: height of the arctangent", default=0.0)
     FREFF: Values = coefficient("effective radius: slope at high load", default=0.0)
-    Q_RE0: Values = coefficient("radius of the turning tyre at low speed over UNLOADED_RADIUS", default=1.0, above=0)
+    Q_RE0: Values = coefficient(
+        "radius of the turning tyre at low speed over UNLOADED_RADIUS; 0 if not known", default=1.0, at_least=0
+    )
     Q_V1: Values = coefficient("radius: growth with the square of speed", default=0.0)
     Q_V2: Values = coefficient("vertical stiffness: growth with speed", default=0.0)
     Q_FZ2: Values = coefficient("vertical force: quadratic term in deflection", default=0.0)

@@ -115,4 +115,4 @@ class Lateral52(Lateral):
 
     PHY3: Values = coefficient("horizontal shift: with camber", default=0.0)
     PTY1: Values = coefficient("greatest relaxation length over radius", default=0.0)
-    PTY2: Values = coefficient("load of greatest relaxation length over nominal load", default=1.0, non_zero=True)
+    PTY2: Values = coefficient("load of greatest relaxation length over nominal load", default=1.0)

@@ -5,7 +5,7 @@ from typing import NamedTuple, cast
 import numpy as np
 
 from eom.errors import TyreError
-from eom.tyre.elementary import arctan, exp, magnitude, sin
+from eom.tyre.elementary import exp, magnitude
 from eom.tyre.interface import as_numbers
 from eom.tyre.mf.coefficients import MagicFormula52, MagicFormula61
 from eom.tyre.mf.lateral import cornering_stiffness_61
@@ -25,8 +25,8 @@ def relaxation_lengths(tyre: MagicFormula61 | MagicFormula52, Fz: Values, gamma:
     """Relaxation lengths of a Magic Formula tyre at a load [N] and a camber angle [rad].
 
     Version 6.1: slip stiffness over the carcass's stiffness (Besselink, Schmeitz, Pacejka 2010, (17) to (19));
-    version 5.2: formulas of their own. Near lift-off they go to those of half a percent of the nominal load, so
-    that they stay positive.
+    version 5.2: formulas of their own, which give zero where the tyre has no coefficients for them: its force follows
+    its slip at once. Near lift-off they go to those of half a percent of the nominal load, so that they stay positive.
 
     Raises
     ------
@@ -59,6 +59,9 @@ def relaxation_52(tyre: MagicFormula52, s: State) -> Relaxation:
     """The formulas of version 5.2."""
     load = s.load / tyre.FNOMIN
     x = (tyre.PTX1 + tyre.PTX2 * s.dfz) * exp(-tyre.PTX3 * s.dfz) * load * tyre.LSGKP
-    y = tyre.PTY1 * sin(2.0 * arctan(s.load / (tyre.PTY2 * s.Fz0))) * (1.0 - tyre.PKY3 * magnitude(tyre.LGAY * s.gamma))
+    # sin(2 arctan(load/greatest)), which is 0 where PTY2 is
+    greatest = tyre.PTY2 * s.Fz0
+    rise = 2.0 * s.load * greatest / (s.load * s.load + greatest * greatest)
+    y = tyre.PTY1 * rise * (1.0 - tyre.PKY3 * magnitude(tyre.LGAY * s.gamma))
     radius = tyre.UNLOADED_RADIUS
     return Relaxation(cast("Values", x * radius), cast("Values", y * radius * tyre.LFZO * tyre.LSGAL))

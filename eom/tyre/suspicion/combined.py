@@ -69,18 +69,20 @@ def uncombined(tyre: Any) -> Iterator[str]:
 
 def no_weight(tyre: Any) -> Iterator[str]:
     """Coefficients of combined slip that are zero."""
-    for force, slip, names in (
-        ("longitudinal", "slip angle", ("RBX1", "RCX1")),
-        ("lateral", "longitudinal slip", ("RBY1", "RCY1")),
-    ):
-        zero = [name for name in names if getattr(tyre, name, 1.0) == 0.0]
-        if zero and weighs(tyre):
-            yield f"{told(tyre, *zero)}: the {slip} takes nothing from the {force} force"
+    if not weighs(tyre):
+        return
+    x, y = ([name for name in names if getattr(tyre, name) == 0.0] for names in (("RBX1", "RCX1"), ("RBY1", "RCY1")))
+    if x and y:
+        yield f"{told(tyre, *x, *y)}: the slips do not weaken each other's force, together up to 1.4 times the friction"
+    elif x:
+        yield f"{told(tyre, *x)}: the slip angle takes nothing from the longitudinal force"
+    elif y:
+        yield f"{told(tyre, *y)}: the longitudinal slip takes nothing from the lateral force"
 
 
 def bound(tyre: Any) -> Iterator[str]:
-    """Forces together beyond the ellipse through both largest ones."""
-    if not meets(tyre):
+    """Forces together beyond the ellipse through both largest ones, although they act on each other."""
+    if not meets(tyre) or any(no_weight(tyre)):
         return
     grid = grid_of(tyre)
     reach = np.hypot(grid.x, grid.y)

@@ -1,55 +1,47 @@
-"""Files of tyres that were measured in one direction of slip alone."""
+"""Files of tyres that were measured in one direction: the other one has no coefficients."""
 
 from collections.abc import Mapping
 from typing import NamedTuple
 
 from eom.tyre.mf.coefficients import Use
-from eom.tyre.tir.text import Entry, TirText, number
+from eom.tyre.tir.leftovers import listed
+from eom.tyre.tir.numbers import Place
+from eom.tyre.tir.text import TirText, number
 
 
 class Direction(NamedTuple):
-    """What a direction of slip cannot do without.
-
-    Attributes
-    ----------
-    neutral : Mapping
-        Those coefficients, with values for a tyre that has no forces in it.
-    section : str
-        Where they stand.
-    other : Use
-        The use that remains without them.
-    alone : Use
-        The use that needs them alone.
-    """
+    """The coefficients without which a direction has no force, and values with which the equations can be evaluated."""
 
     neutral: Mapping[str, float]
-    section: str
+    force: tuple[str, str]
     other: Use
-    alone: Use
 
 
-DIRECTIONS = (
-    Direction({"PCX1": 1.0, "PDX1": 1.0, "PKX1": 1.0}, "LONGITUDINAL_COEFFICIENTS", "lateral", "longitudinal"),
-    Direction({"PCY1": 1.0, "PDY1": 1.0, "PKY1": -1.0, "PKY2": 1.0}, "LATERAL_COEFFICIENTS", "longitudinal", "lateral"),
-)
+LONGITUDINAL = Direction({"PCX1": 1.0, "PDX1": 1.0, "PKX1": 1.0}, ("PDX1", "PKX1"), "lateral")
+LATERAL = Direction({"PCY1": 1.0, "PDY1": 1.0, "PKY1": -1.0, "PKY2": 1.0}, ("PDY1", "PKY1"), "longitudinal")
 
 
-def missing_direction(text: TirText, said: Mapping[str, list[Entry]], use: str) -> tuple[dict[str, float], Use | None]:
-    """Neutral coefficients of the one direction that a file has none of, with a note, and the use that remains.
-
-    Nothing and None for a file that has both directions, or neither, or is for the use of the missing one.
-    """
-    empty = [item for item in DIRECTIONS if all(is_empty(said.get(name, [])) for name in item.neutral)]
-    if len(empty) != 1 or use == empty[0].alone:
-        return {}, None
-    (direction,) = empty
-    line = text.sections.get(direction.section, text.sections.get("MODEL", 1))
-    names = ", ".join(direction.neutral)
-    what = f"{names} are not given or 0: there are no {direction.alone} forces, read for {direction.other} use"
-    text.note((line, 1), direction.section, what)
-    return dict(direction.neutral), direction.other
+def absent_direction(places: Mapping[str, Place], use: str) -> Direction | None:
+    """The direction that a file has no coefficients for; None if it has both or none, or if USE_MODE needs it."""
+    absent = [direction for direction in (LONGITUDINAL, LATERAL) if is_absent(direction, places)]
+    return absent[0] if len(absent) == 1 and use in {absent[0].other, "uncombined", "combined"} else None
 
 
-def is_empty(entries: list[Entry]) -> bool:
-    """Whether a coefficient is not in the file, or zero."""
-    return all(number(entry.value) == 0 for entry in entries)
+def is_absent(direction: Direction, places: Mapping[str, Place]) -> bool:
+    """Whether no coefficient acts; a shape without a force does not if the force is said to be zero."""
+    acting = {name for name in direction.neutral if name in places and acts(places[name])}
+    return not acting.intersection(direction.force) and (not acting or places.keys() >= set(direction.force))
+
+
+def acts(place: Place) -> bool:
+    """Whether any entry says something other than zero."""
+    return any(not entry.blank and number(entry.value) != 0 for entry in place[0])
+
+
+def note_absent(text: TirText, direction: Direction, names: list[str]) -> None:
+    """Note that a tyre has forces of one direction only, as *names* say nothing."""
+    section = "LATERAL_COEFFICIENTS" if direction is LATERAL else "LONGITUDINAL_COEFFICIENTS"
+    missing = "longitudinal" if direction is LONGITUDINAL else "lateral"
+    values = listed(f"{name} = {direction.neutral[name]:g}" for name in names)
+    what = f"use = {direction.other!r}: the tyre has no {missing} force, as {listed(names)} are missing or zero"
+    text.note((text.sections.get(section, 1), 1), section, f"{what}; taken in the equations: {values}")

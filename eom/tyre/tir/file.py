@@ -19,7 +19,7 @@ from eom.tyre.tir.tyre import read_tyre
 from eom.tyre.tir.write import write_whole
 
 MAX_BYTES, HEAD_BYTES = 1_000_000, 4096
-EXACT = Context(prec=30)
+MAX_DIGITS = 30
 
 
 @dataclass(frozen=True)
@@ -68,8 +68,13 @@ class TirFile:
         # from behind, so that places before stay where they are
         for start, length, piece in sorted(pieces, reverse=True):
             text = text[:start] + piece + text[start + length :]
-        if read_text(text, self.file).tyre != changed:
-            raise TyreError(f"{self.file}: INFLPRES is not in the file and would follow NOMPRES: use write_tir")
+        written_tyre = read_text(text, self.file).tyre
+        names = [item.name for item in dataclasses.fields(changed)]
+        other = [name for name in names if getattr(written_tyre, name) != getattr(changed, name)]
+        if other:
+            raise TyreError(
+                f"{self.file}: {', '.join(other)} is not in the file and would change as well: use write_tir"
+            )
         return text
 
     def write(self, path: str | Path, **changes: float) -> None:
@@ -82,11 +87,11 @@ class TirFile:
             if name not in fields_of(type(self.tyre)):
                 raise TyreError(f"{self.file}: {name} is no coefficient of a {type(self.tyre).__name__}")
             if name not in self.places:
-                raise TyreError(f"{self.file}: {name} is not in the file: write_tir writes a complete one")
+                raise TyreError(f"{self.file}: {name} is not given in the file: write_tir writes a complete one")
 
 
 def read_tir(path: str | Path) -> TirFile:
-    """Read a .tir file of the Magic Formula 6.1, 6.0 or 6.2 (FITTYP 61, 60, 62), or 5.2 (FITTYP 6, 5, PAC2002).
+    """Read a .tir file of the Magic Formula 6.1, 6.0 or 6.2 (FITTYP 61, 60, 62), or 5.2 (FITTYP 6, PAC2002).
 
     Parameters
     ----------
@@ -151,14 +156,21 @@ def plain(name: str, value: object) -> float:
 
 
 def written(value: float, factor: Fraction) -> str:
-    """The number in a file's unit that reads as *value* in SI: as short as repr if that is exact, else in 30 digits."""
+    """The number in a file's unit with the fewest digits that reads as *value* in SI."""
     exact = Fraction(value) / factor
-    for likely in (Fraction(repr(value)) / factor, exact):
-        try:
-            short = repr(float(likely))
-        except OverflowError:
-            # the number is beyond floats in the file's unit alone
-            continue
-        if float((number(short) or 0) * factor) == value:
+    numerator, denominator = Decimal(exact.numerator), Decimal(exact.denominator)
+    for digits in range(1, MAX_DIGITS):
+        rounded = Context(prec=digits).divide(numerator, denominator)
+        # as Python writes floats, but for numbers that are beyond them in the file's unit
+        short = repr(float(rounded)) if Decimal(repr(float(rounded))) == rounded else str(rounded)
+        if reads_as(short, factor) == value:
             return short
-    return str(EXACT.divide(Decimal(exact.numerator), Decimal(exact.denominator)))
+    return str(Context(prec=MAX_DIGITS).divide(numerator, denominator))
+
+
+def reads_as(text: str, factor: Fraction) -> float:
+    """The number of a text in SI units; infinite beyond floats."""
+    try:
+        return float((number(text) or 0) * factor)
+    except OverflowError:
+        return math.inf

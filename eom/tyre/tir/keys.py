@@ -34,6 +34,8 @@ SECTIONS: Mapping[str, tuple[type, ...]] = {
     "ALIGNING_COEFFICIENTS": (moment_coefficients.Aligning, moment_coefficients.Aligning61),
 }
 HEADERS = frozenset({"MDI_HEADER", "HEADER"})
+# sections that programs know and that hold nothing of the tyre
+OTHER_SECTIONS = frozenset({"TURNSLIP_COEFFICIENTS", "INERTIA", "TIRE_CONDITIONS"})
 SECTION_OF: Mapping[str, str] = {
     name: section
     for section, owners in SECTIONS.items()
@@ -45,7 +47,7 @@ FIELDS: Mapping[type[Tyre], Mapping[str, "dataclasses.Field[Any]"]] = {
     version: {item.name: item for item in dataclasses.fields(version) if item.name in SECTION_OF} for version in CLASSES
 }
 
-ALIASES: Mapping[str, str] = {"LFZ0": "LFZO", "IP": "INFLPRES", "IP_NOM": "NOMPRES", "LKYG": "LKYC"}
+ALIASES: Mapping[str, str] = {"LFZ0": "LFZO", "LKYG": "LKYC", "IP": "INFLPRES", "IP_NOM": "NOMPRES"}
 
 # keys that say how a file is to be handled, and nothing of the tyre
 HANDLING = (
@@ -64,18 +66,16 @@ NOT_MODELLED: Mapping[str, str] = {
     "DYNAMIC_DAMPING",
     "contact patch and uneven road": "Q_RA1 Q_RA2 Q_RB1 Q_RB2 ELLIPS_SHIFT ELLIPS_LENGTH ELLIPS_HEIGHT ELLIPS_ORDER "
     "ELLIPS_MAX_STEP ELLIPS_NWIDTH ELLIPS_NLENGTH ENV_C1 ENV_C2 CONTACT_MODEL",
-    "loaded radius with camber": "Q_CAM Q_CAM1 Q_CAM2 Q_CAM3 Q_FCY2 Q_FZ3 Q_FYS1 Q_FYS2 Q_FYS3 MC_CONTOUR_A "
-    "MC_CONTOUR_B",
+    "loaded radius with camber": "Q_FZ3 Q_CAM Q_CAM1 Q_CAM2 Q_CAM3 Q_FCY2 Q_FYS1 Q_FYS2 Q_FYS3 "
+    "MC_CONTOUR_A MC_CONTOUR_B",
     "contact of the rim": "BOTTOM_OFFST BOTTOM_STIFF BOTTOMING_RADIUS",
-    "PAC2002's own terms, which the forces and relaxation lengths lack": "PTX4 PTY3 LKG LIP QPX1 QPZ1 QPZ2",
-    "friction ellipse in place of combined-slip coefficients": "FE_METHOD",
-    "scale of VERTICAL_STIFFNESS, which stays as the file says": "LCZ",
+    "PAC2002's own, which the forces here lack": "LKG LIP QPX1 QPY1 QPY2 QPZ1 QPZ2",
+    "PAC2002's own, which the relaxation lengths here lack": "PTX4 PTY3",
+    "VERTICAL_STIFFNESS is not scaled by it": "LCZ",
+    "the friction ellipse in combined slip, which is as the coefficients of combined slip say": "FE_METHOD",
     "ply steer": "PLYSTEER",
 }
 SUBJECT_OF: Mapping[str, str] = {key: subject for subject, keys in NOT_MODELLED.items() for key in keys.split()}
-
-# sections of which nothing is read but what other sections have as well
-OTHER_SECTIONS = frozenset({"TURNSLIP_COEFFICIENTS", "INERTIA", "TIRE_CONDITIONS"})
 
 
 def fields_of(version: type[Tyre]) -> Mapping[str, "dataclasses.Field[Any]"]:

@@ -2,10 +2,24 @@
 
 import difflib
 from collections.abc import Collection, Iterable
+from dataclasses import Field
 from itertools import groupby
+from typing import Any
 
 from eom.tyre.mf.coefficients import MagicFormula52, MagicFormula61
-from eom.tyre.tir.keys import ALIASES, HEADERS, OTHER_SECTIONS, SECTIONS, SUBJECT_OF, WITHOUT_MEANING, Tyre, fields_of
+from eom.tyre.tir.keys import (
+    ALIASES,
+    HEADERS,
+    OTHER_SECTIONS,
+    SECTION_OF,
+    SECTIONS,
+    SUBJECT_OF,
+    WITHOUT_MEANING,
+    Tyre,
+    fields_of,
+    is_coefficient,
+    unit_of,
+)
 from eom.tyre.tir.text import Entry, TirText, number, shown
 
 MAX_GUESSES, MAX_KEY, MAX_LISTED = 50, 40, 30
@@ -26,12 +40,15 @@ def read_leftovers(text: TirText, version: type[Tyre], entries: list[Entry], sai
     for entry in entries:
         name = ALIASES.get(entry.key, entry.key)
         if name in foreign:
-            if not says_nothing(entry, foreign[name].default):
-                noted.append((f"not part of {NAMES[version]} and without effect", entry))
+            default: Any = foreign[name].default
+            if not says_nothing(entry, default):
+                noted.append((reason_of(name, foreign[name], version, other), entry))
         elif entry.key in SUBJECT_OF:
             if not says_nothing(entry, float(entry.key.startswith("L"))):
                 noted.append((f"not modelled: {SUBJECT_OF[entry.key]}", entry))
-        elif entry.section not in SECTIONS and entry.section not in OTHER_SECTIONS:
+        elif entry.section in OTHER_SECTIONS:
+            noted.append(("unknown, not read", entry))
+        elif entry.section not in SECTIONS:
             noted.append(("unknown section, not read", entry))
         elif entry.key not in WITHOUT_MEANING:
             strange.append(entry)
@@ -40,6 +57,13 @@ def read_leftovers(text: TirText, version: type[Tyre], entries: list[Entry], sai
     meant, unknown = report_strange(text, strange, names)
     add_notes(text, noted + [("unknown, not read", entry) for entry in unknown])
     return meant
+
+
+def reason_of(name: str, item: "Field[Any]", version: type[Tyre], other: type[Tyre]) -> str:
+    """Why a number of the other version is left out."""
+    if is_coefficient(name):
+        return f"no effect in {NAMES[version]}; change FITTYP if fitted for {NAMES[other]}"
+    return f"{NAMES[version]} has no pressure" if unit_of(item) == "Pa" else f"not part of {NAMES[version]}"
 
 
 def report_strange(text: TirText, strange: list[Entry], names: list[str]) -> tuple[frozenset[str], list[Entry]]:
@@ -70,7 +94,7 @@ def closest(key: str, names: list[str], least: float) -> str:
     return best if likeness[best] >= least else ""
 
 
-def says_nothing(entry: Entry, neutral: object) -> bool:
+def says_nothing(entry: Entry, neutral: float) -> bool:
     """Whether a key has the value that it would have if it were not there."""
     value = number(entry.value)
     if value is None:
@@ -83,7 +107,15 @@ def add_notes(text: TirText, noted: list[tuple[str, Entry]]) -> None:
     ordered = sorted(noted, key=lambda item: (item[1].section, item[0], item[1].line))
     for (section, reason), items in groupby(ordered, key=lambda item: (item[1].section, item[0])):
         entries = [entry for _, entry in items]
-        text.note((entries[0].line, entries[0].column), section, f"{reason} ({listed(e.key for e in entries)})")
+        names = listed(told(entry) for entry in entries)
+        text.note((entries[0].line, entries[0].column), section, f"{reason} ({names})")
+
+
+def told(entry: Entry) -> str:
+    """A key, with its value if that is a coefficient that forces would need."""
+    name = ALIASES.get(entry.key, entry.key)
+    acts = entry.key.startswith(("LKG", "LIP", "QP")) or (name in SECTION_OF and is_coefficient(name))
+    return f"{entry.key} = {entry.value}" if acts else entry.key
 
 
 def read_rows(text: TirText) -> None:
@@ -92,8 +124,8 @@ def read_rows(text: TirText) -> None:
         line, column, _ = rows[0]
         if section in SECTIONS or section == "UNITS":
             for *place, content in rows:
-                what = f"expected KEY = value, got {shown(content)}; a comment starts with $"
-                text.report((place[0], place[1]), section, what)
+                hint = "; a comment that goes on? start it with $" if content[0].isalpha() else ""
+                text.report((place[0], place[1]), section, f"expected KEY = value, got {shown(content)}{hint}")
         elif section not in HEADERS:
             text.note((line, column), section, f"not modelled: a table of {len(rows)} lines")
 

@@ -16,10 +16,8 @@ VERSIONS: dict[int, type[Tyre]] = {
     61: MagicFormula61,
     62: MagicFormula61,
 }
-FORMATS = {"PAC2002": 6, "MF_05": 5}
-"""What a file without FITTYP is, by its format."""
 REMARKS = {
-    5: "read by the equations of the Magic Formula 5.2, which have all coefficients of 5.0 and 5.1",
+    5: "read by the equations of the Magic Formula 5.2; 5.0 and 5.1 have a part of its coefficients",
     52: "read as the Magic Formula 5.2, which FITTYP = 6 says; FITTYP = 52 is also a motorcycle tyre (MF-MCTyre 1.1)",
     60: "read by the equations of the Magic Formula 6.1, which contain those of 6.0",
     62: "read by the equations of the Magic Formula 6.1, which have the same forces; the loaded radius of 6.2 is not "
@@ -33,13 +31,13 @@ OTHERS = {
 USES: dict[int, Use] = {1: "longitudinal", 2: "lateral", 3: "uncombined", 4: "combined", 5: "combined"}
 SIDES = {"LEFT": "left", "RIGHT": "right", "UNKNOWN": None, "SYMMETRIC": None, "": None}
 UNREADABLE = 10**6
-READS = "this reads FITTYP 61 (Magic Formula 6.1), also 60 and 62, 6 (5.2, PAC2002) and 5 (5.0, 5.1)"
+READS = "this reads FITTYP 61 (Magic Formula 6.1), also 60 and 62, and 6 (5.2, PAC2002), also 5 and 52"
 
 
 def model_entries(text: TirText) -> dict[str, Entry]:
     """The entries of `KEYS`, each once; one that is there again with another value is reported."""
     said: dict[str, Entry] = {}
-    for entry in (entry for entry in text.entries if entry.key in KEYS):
+    for entry in (entry for entry in text.entries if entry.key in KEYS and not entry.blank):
         first = said.setdefault(entry.key, entry)
         if entry.value != first.value:
             text.report_value(entry, f"is {entry.value} here and {first.value} in line {first.line}: keep one")
@@ -53,16 +51,17 @@ def read_version(text: TirText, said: Mapping[str, Entry]) -> type[Tyre] | None:
     fittyp, file_format = said.get("FITTYP"), said.get("PROPERTY_FILE_FORMAT")
     name = file_format.value.upper() if file_format else ""
     if fittyp is None:
-        if file_format is not None and name in FORMATS:
-            if FORMATS[name] in REMARKS:
-                text.note_key(file_format, REMARKS[FORMATS[name]])
-            return VERSIONS[FORMATS[name]]
+        if file_format and name in {"PAC2002", "MF_05"}:
+            if name == "MF_05":
+                text.note_key(file_format, REMARKS[5])
+            return MagicFormula52
         if file_format is None:
             place = (text.sections.get("MODEL", 1), 1)
             text.report(place, "MODEL", f"needs FITTYP, which says the version of the Magic Formula; {READS}")
         else:
-            what = f"{shown(file_format.value)} does not say the version, and there is no FITTYP; {READS}"
-            text.report_value(file_format, what)
+            text.report_value(
+                file_format, f"{shown(file_format.value)} does not say the version, and there is no FITTYP; {READS}"
+            )
         return None
     kind = whole(fittyp)
     version = VERSIONS.get(kind)
@@ -77,7 +76,7 @@ def read_version(text: TirText, said: Mapping[str, Entry]) -> type[Tyre] | None:
     return version
 
 
-def read_model(text: TirText, said: Mapping[str, Entry], version: type[Tyre]) -> dict[str, Any]:
+def read_model(text: TirText, said: Mapping[str, Entry], version: type[Tyre] | None) -> dict[str, Any]:
     """The fields `side`, `use`, `mirror` and `form` of the tyre, as far as the file says them."""
     fields: dict[str, Any] = {}
     if "TYRESIDE" in said:
@@ -89,7 +88,7 @@ def read_model(text: TirText, said: Mapping[str, Entry], version: type[Tyre]) ->
             text.report_value(said["TYRESIDE"], what)
     if "USE_MODE" in said:
         fields |= read_use(text, said["USE_MODE"])
-    if "FORM" in said:
+    if "FORM" in said and version is not None:
         form = said["FORM"].value.lower()
         if version is MagicFormula61 and form in get_args(Form):
             fields["form"] = form

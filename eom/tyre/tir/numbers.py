@@ -1,11 +1,11 @@
 """Numbers of a .tir file: each coefficient once, finite, within its bounds, in SI units."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import MISSING
 from fractions import Fraction
 
 from eom.tyre.mf.coefficients import MagicFormula61
-from eom.tyre.mf.ranges import range_problems
+from eom.tyre.mf.relations import relation_problems
 from eom.tyre.parameters import problem_of
 from eom.tyre.tir.keys import SECTION_OF, Tyre, fields_of
 from eom.tyre.tir.leftovers import listed
@@ -18,8 +18,10 @@ LEAST_PRESSURE = 1e4
 
 
 def read_number(text: TirText, version: type[Tyre], name: str, place: Place) -> float | None:
-    """The value of a coefficient in SI units; None with a mistake for what is no such number."""
-    entries, factor = place
+    """The value of a coefficient in SI units; None without a value, and with a mistake for what is no such number."""
+    entries, factor = tuple(entry for entry in place[0] if not entry.blank), place[1]
+    if not entries:
+        return None
     first = entries[0]
     values = [read_plain(text, entry) for entry in entries]
     for entry, value in zip(entries[1:], values[1:], strict=True):
@@ -58,22 +60,26 @@ def read_plain(text: TirText, entry: Entry) -> Fraction | None:
     return value
 
 
-def check_missing(text: TirText, version: type[Tyre], said: frozenset[str]) -> None:
-    """Report the coefficients that have to be given and are not, section by section."""
+def check_missing(text: TirText, version: type[Tyre], places: Mapping[str, Place], known: Collection[str]) -> None:
+    """Report the coefficients that have to be given and are not, section by section; *known* need not be."""
     missing: dict[str, list[str]] = {}
     for name, item in fields_of(version).items():
-        if item.default is MISSING and name not in said:
+        if item.default is not MISSING or name in known:
+            continue
+        if name not in places:
             missing.setdefault(SECTION_OF[name], []).append(name)
+        elif all(entry.blank for entry in places[name][0]):
+            text.report_value(places[name][0][0], "expected a finite number, got nothing")
     for section, names in missing.items():
         text.report((text.sections.get(section, 1), 1), section, f"needs {listed(names)}")
 
 
-def check_ranges(text: TirText, version: type[Tyre], numbers: Mapping[str, float], places: Mapping[str, Place]) -> None:
-    """Report ranges that no value is in."""
-    for name, what in range_problems(version, numbers):
-        # an upper end that is not given is infinite, and a lower one that is not given is right: one of them is there
-        entry = places[name if name in places else name.removesuffix("MAX") + "MIN"][0][0]
-        text.report_value(entry, what)
+def check_relations(
+    text: TirText, version: type[Tyre], numbers: Mapping[str, float], places: Mapping[str, Place]
+) -> None:
+    """Report numbers that others forbid, such as ends of ranges that no value is in."""
+    for name, what in relation_problems(version, numbers):
+        text.report_value(places[name][0][0], what)
 
 
 def note_pressure(
@@ -84,9 +90,9 @@ def note_pressure(
         return
     line = text.sections.get("OPERATING_CONDITIONS", 1)
     nominal = fields_of(version)["NOMPRES"].default
-    if "NOMPRES" not in places:
+    if "NOMPRES" not in numbers:
         text.note((line, 1), "OPERATING_CONDITIONS", f"NOMPRES is not given: {nominal:g} Pa is taken")
-    if "INFLPRES" not in places:
+    if "INFLPRES" not in numbers:
         text.note((line, 1), "OPERATING_CONDITIONS", "INFLPRES is not given: NOMPRES is taken")
     for name in ("INFLPRES", "NOMPRES"):
         if numbers.get(name, LEAST_PRESSURE) < LEAST_PRESSURE:

@@ -42,6 +42,11 @@ class Entry:
     start: int
 
     @property
+    def blank(self) -> bool:
+        """Whether it has no value, which says as little as no key."""
+        return not self.value and not self.quoted
+
+    @property
     def where(self) -> str:
         """The path of the key."""
         return f"{self.section}.{self.key}"
@@ -130,13 +135,14 @@ def read_line(found: TirText, section: str, line: str, place: tuple[int, int], p
         found.rows.setdefault(section, []).append((*place, line.strip()))
     else:
         blanks = len(after) - len(after.lstrip())
-        column = len(key) + 1 + blanks
         value = read_value(after.strip())
+        quoted = after[blanks : blanks + 1] in {"'", '"'}
+        # a value that is not there would stand before the comment and its blanks
+        column = len(key) + 1 + (blanks if value or quoted else min(blanks, 1))
         if value is None:
             what = f"expected a value in closed quotes, then at most a comment, got {shown(after.strip())}"
             found.report((place[0], column + 1), f"{section}.{name}", what)
         else:
-            quoted = after[blanks : blanks + 1] in {"'", '"'}
             start = position + column + quoted
             found.entries.append(Entry(section, name, value, quoted, *place, column + 1, start))
 

@@ -85,6 +85,8 @@ def read_units(text: TirText) -> dict[str, Fraction]:
     """
     units, said = dict(SI), dict[str, Entry]()
     for entry in (entry for entry in text.entries if entry.section == "UNITS" or entry.section in HEADERS):
+        if entry.blank and entry.key in UNITS:
+            continue
         if entry.key not in UNITS:
             if entry.section in HEADERS:
                 continue
