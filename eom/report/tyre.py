@@ -50,13 +50,14 @@ def tyre_summary(file: TirFile) -> str:
 
 def interval(low: Values, high: Values, unit: str = "") -> str:
     """Both ends of a range of measurement."""
-    if np.isinf(high) and (low == 0.0 or np.isinf(low)):
-        return "no range given"
-    return " to ".join(f"{round(float(end), 2):.9g}" for end in (low, high)) + unit
+    first, last = (f"{round(float(end), 2):.9g}{unit}" for end in (low, high))
+    if np.isinf(high):
+        return "no range given" if low == 0.0 or np.isinf(low) else f"from {first}"
+    return f"up to {last}" if np.isinf(low) else f"{first.removesuffix(unit)} to {last}"
 
 
 def stiffness_tables(figures: Characteristics) -> str:
-    """Figures over load: one table of the lateral direction, one of the longitudinal one."""
+    """Figures over load: one table of the lateral direction, one of the longitudinal one, those that have forces."""
     per_degree = np.deg2rad(figures.cornering)
     lateral = {
         ("load", "[N]"): column(figures.Fz, 0),
@@ -79,7 +80,11 @@ def stiffness_tables(figures: Characteristics) -> str:
     }
     return "\n\n".join(
         f"{title}\n{table([name for name, _ in columns], [[unit for _, unit in columns], *rows_of(columns)], 0)}"
-        for title, columns in (("lateral", lateral), ("longitudinal", longitudinal))
+        for title, columns, stiffness in (
+            ("lateral", lateral, figures.cornering),
+            ("longitudinal", longitudinal, figures.longitudinal),
+        )
+        if np.any(stiffness != 0.0)
     )
 
 

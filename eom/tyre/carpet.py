@@ -1,7 +1,8 @@
 """The usual pictures of a tyre, as numbers: forces over slip for several loads, and the friction ellipse."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -53,42 +54,65 @@ class Carpet:
     ellipse: Sweep
 
     def plot(self) -> "Figure":
-        """Fy over slip angle, Fx over slip, friction ellipse and Mz over slip angle, in four panels."""
+        """Fy over slip angle, Fx over slip, friction ellipse and Mz over slip angle: a panel for each that acts."""
         from matplotlib.figure import Figure  # noqa: PLC0415  slow to import
 
-        figure = Figure(figsize=(11.0, 8.0), layout="constrained")
-        (side, drive), (ellipse, aligning) = figure.subplots(2, 2)
-        degrees = np.rad2deg(self.side.alpha)
-        draw(side, degrees, self.side.forces.Fy * KILO, loads_of(self.side))
-        side.set(xlabel="slip angle [deg]", ylabel="Fy [kN]")
-        draw(drive, self.drive.kappa, self.drive.forces.Fx * KILO, loads_of(self.drive))
-        drive.set(xlabel="longitudinal slip", ylabel="Fx [kN]")
-        angles = [f"±{abs(angle):.3g}°" if angle else "0°" for angle in np.rad2deg(self.ellipse.alpha[:, 0])]
-        draw(ellipse, self.ellipse.forces.Fx * KILO, self.ellipse.forces.Fy * KILO, angles)
-        ellipse.set(xlabel="Fx [kN]", ylabel="Fy [kN]", aspect="equal")
-        draw(aligning, degrees, self.side.forces.Mz, loads_of(self.side))
-        aligning.set(xlabel="slip angle [deg]", ylabel="Mz [N m]")
-        for axes, title in ((side, "load"), (drive, "load"), (ellipse, "slip angle"), (aligning, "load")):
-            axes.legend(
-                title=title, fontsize="small", title_fontsize="small", loc="center left", bbox_to_anchor=(1, 0.5)
-            )
-        ellipse.set_title(f"at {self.ellipse.Fz[0, 0] * KILO:.3g} kN", fontsize="medium")
+        panels = list(self.panels())
+        rows = (len(panels) + 1) // 2
+        figure = Figure(figsize=(11.0, 4.0 * rows), layout="constrained")
+        for k, panel in enumerate(panels):
+            axes = figure.add_subplot(rows, min(2, len(panels)), k + 1)
+            draw(axes, panel)
         figure.suptitle(f"{self.title}, upright, at 60 km/h")
         return figure
+
+    def panels(self) -> Iterator["Panel"]:
+        """What is drawn; forces that are zero everywhere are not."""
+        corners, drives = (bool(np.any(force)) for force in (self.side.forces.Fy, self.drive.forces.Fx))
+        degrees, loads = np.rad2deg(self.side.alpha), loads_of(self.side)
+        if corners:
+            yield Panel(degrees, self.side.forces.Fy * KILO, "slip angle [deg]", "Fy [kN]", "load", loads)
+        if drives:
+            Fx = self.drive.forces.Fx * KILO
+            yield Panel(self.drive.kappa, Fx, "longitudinal slip", "Fx [kN]", "load", loads_of(self.drive))
+        if corners and drives:
+            angles = [f"±{abs(angle):.3g}°" if angle else "0°" for angle in np.rad2deg(self.ellipse.alpha[:, 0])]
+            load = f"at {self.ellipse.Fz[0, 0] * KILO:.3g} kN load [kN]"
+            Fx, Fy = self.ellipse.forces.Fx * KILO, self.ellipse.forces.Fy * KILO
+            yield Panel(Fx, Fy, f"Fx {load}", f"Fy {load}", "slip angle", angles, "equal")
+        if corners:
+            yield Panel(degrees, self.side.forces.Mz, "slip angle [deg]", "Mz [N m]", "load", loads)
 
 
 KILO = 1e-3
 
 
-def draw(axes: "Axes", x: Values, y: Values, labels: list[str]) -> None:
-    """One curve a row; curves of one label have one colour."""
+class Panel(NamedTuple):
+    """Curves of one panel, a row each, and its words; curves of one label have one colour."""
+
+    x: Values
+    y: Values
+    abscissa: str
+    ordinate: str
+    legend: str
+    labels: list[str]
+    aspect: Literal["auto", "equal"] = "auto"
+
+
+def draw(axes: "Axes", panel: Panel) -> None:
+    """Draw a panel."""
+    labels = panel.labels
     colours = {label: f"C{k % 10}" for k, label in enumerate(dict.fromkeys(labels))}
-    for k, (abscissae, ordinates) in enumerate(zip(np.asarray(x), np.asarray(y), strict=True)):
+    for k, (abscissae, ordinates) in enumerate(zip(np.asarray(panel.x), np.asarray(panel.y), strict=True)):
         label = labels[k] if labels[k] not in labels[:k] else None
         axes.plot(abscissae, ordinates, label=label, color=colours[labels[k]], linewidth=1.2)
     axes.axhline(0.0, color="0.6", linewidth=0.6, zorder=0)
     axes.axvline(0.0, color="0.6", linewidth=0.6, zorder=0)
     axes.grid(alpha=0.3)
+    axes.set(xlabel=panel.abscissa, ylabel=panel.ordinate, aspect=panel.aspect)
+    axes.legend(
+        title=panel.legend, fontsize="small", title_fontsize="small", loc="center left", bbox_to_anchor=(1, 0.5)
+    )
 
 
 def loads_of(sweep: Sweep) -> list[str]:

@@ -48,10 +48,9 @@ class Kernel:
         arguments = np.empty((len(ARGUMENTS), self.count))
         for row, name, value in zip(arguments, ARGUMENTS, (alpha, kappa, Fz, gamma, speed), strict=True):
             numbers = as_numbers(name, value)
-            try:
-                row[:] = numbers
-            except (TypeError, ValueError):
-                raise TyreError(f"{name}: expected a number or {self.count} of them, one for each tyre") from None
+            if numbers.dtype.kind == "c" or numbers.shape not in {(), (1,), (self.count,)}:
+                raise TyreError(f"{name}: expected a real number or {self.count} of them, one for each tyre")
+            row[:] = numbers
         out = np.empty_like(arguments)
         self.run(self.table, arguments, out)
         return Forces(*out)

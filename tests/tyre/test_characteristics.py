@@ -26,8 +26,14 @@ def test_figures_of_the_thesiss_formula_are_its_coefficients(tyre: MagicFormula)
     assert np.allclose(figures.cornering, LOADS * (tyre.k_y + f * (tyre.k_y_load + f * tyre.k_y_load2)), rtol=1e-12)
     assert np.allclose(figures.longitudinal, LOADS * (tyre.k_x + f * (tyre.k_x_load + f * tyre.k_x_load2)), rtol=1e-12)
     assert np.allclose(figures.trail, tyre.trail, rtol=1e-12, atol=1e-15)
-    # D is the peak, where there is one within 90 degrees
-    for peak, mu in ((figures.side, tyre.mu_y + tyre.mu_y_load * f), (figures.drive, tyre.mu_x + tyre.mu_x_load * f)):
+    alpha, kappa = (np.linspace(0.0, end, 2001)[:, np.newaxis] for end in (0.5 * np.pi, 1.0))
+    for peak, mu, forces in (
+        (figures.side, tyre.mu_y + tyre.mu_y_load * f, -tyre.forces(alpha, 0.0, LOADS).Fy),
+        (figures.drive, tyre.mu_x + tyre.mu_x_load * f, tyre.forces(0.0, kappa, LOADS).Fx),
+    ):
+        # where the largest of many forces is not the last one there is a peak, and it is D
+        there = np.argmax(forces, axis=0) < len(alpha) - 1
+        assert np.all(np.isfinite(peak.friction[there]))
         seen = np.isfinite(peak.friction)
         assert np.allclose(peak.friction[seen], mu[seen], rtol=1e-12, atol=0.0)
 
@@ -36,10 +42,9 @@ def test_figures_of_the_thesiss_formula_are_its_coefficients(tyre: MagicFormula)
 @given(plain_61())
 def test_peaks_of_the_magic_formula_are_pdx1_and_pdy1_at_nominal_load(tyre: MagicFormula61) -> None:
     figures = characteristics(tyre, tyre.FNOMIN)
-    if np.isfinite(figures.side.friction[0]):
-        assert np.isclose(figures.side.friction[0], tyre.PDY1, rtol=1e-12)
-    if np.isfinite(figures.drive.friction[0]):
-        assert np.isclose(figures.drive.friction[0], tyre.PDX1, rtol=1e-12)
+    # with these shapes and stiffnesses both peaks are well inside
+    assert np.isclose(figures.side.friction[0], tyre.PDY1, rtol=1e-12)
+    assert np.isclose(figures.drive.friction[0], tyre.PDX1, rtol=1e-12)
     assert np.isclose(figures.longitudinal[0], tyre.PKX1 * tyre.FNOMIN, rtol=1e-12)
 
 
@@ -110,6 +115,12 @@ def test_a_carpet_draws_its_four_panels() -> None:
     assert labels == [
         ("slip angle [deg]", "Fy [kN]", 7),
         ("longitudinal slip", "Fx [kN]", 7),
-        ("Fx [kN]", "Fy [kN]", 13),
+        ("Fx at 4 kN load [kN]", "Fy at 4 kN load [kN]", 13),
         ("slip angle [deg]", "Mz [N m]", 7),
     ]
+
+
+@pytest.mark.parametrize(("use", "panels"), [("longitudinal", ["Fx [kN]"]), ("lateral", ["Fy [kN]", "Mz [N m]"])])
+def test_a_carpet_draws_no_panel_of_forces_that_do_not_act(use: str, panels: list[str]) -> None:
+    figure = carpet(dataclasses.replace(CAR, use=use), "car").plot()  # type: ignore[arg-type]
+    assert [axes.get_ylabel() for axes in figure.axes] == panels

@@ -122,8 +122,10 @@ def test_tyres_that_do_not_fit_together_are_refused() -> None:
     with pytest.raises(TyreError, match="expected at least one tyre"):
         stack([])
     compiled = compile_forces(stack([one, one]))
-    with pytest.raises(TyreError, match="alpha: expected a number or 2 of them"):
+    with pytest.raises(TyreError, match="alpha: expected a real number or 2 of them"):
         compiled.forces(np.zeros(3), 0.0, LOAD, 0.0, 20.0)
+    with pytest.raises(TyreError, match="kappa: expected a real number or 2 of them"):
+        compiled.forces(0.0, 1j, LOAD)  # type: ignore[arg-type]
 
 
 def test_what_is_no_finite_number_is_refused_before_it_is_compiled_away() -> None:

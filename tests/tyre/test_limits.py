@@ -78,8 +78,8 @@ def test_forces_are_smooth_in_load_at_lift_off_and_where_contact_is_full(
 def test_near_lift_off_no_force_exceeds_friction(tyre: Tyre, alpha: float, kappa: float, share: float) -> None:
     Fz = share * nominal(tyre)
     found = tyre.forces(alpha, kappa, Fz)
-    # 1.4 is above every friction of these tyres at small load
-    assert np.hypot(found.Fx, found.Fy) <= 1.4 * Fz * np.sqrt(2.0)
+    # their friction is at most 1.3 at small load, and cosine weighting exceeds the ellipse by a few percent
+    assert np.hypot(found.Fx, found.Fy) <= 1.35 * Fz
 
 
 @given(every_tyre, angles, ratios, leans, st.sampled_from([-1.0, 0.0, 1.0]))

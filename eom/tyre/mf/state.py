@@ -54,50 +54,50 @@ class State(NamedTuple):
 
 def tool_state(p: Any, alpha: Values, kappa: Values, Fz: Values, gamma: Values, speed: Values) -> State:
     """The working point as the MF-Tyre tool takes it: angles themselves, no digressive friction."""
-    load, share = contact(Fz, p.FNOMIN)
-    Fz0 = p.LFZO * p.FNOMIN
-    sense = rolling_sense(speed, p.VXLOW)
-    return State(
-        alpha,
-        kappa,
-        gamma,
-        gamma,
-        load,
-        share,
-        Fz0,
-        (load - Fz0) / Fz0,
-        cos(alpha),
-        sense * sense,
-        sense * magnitude(sense),
-        p.LMUX,
-        p.LMUY,
-        p.LMUX,
-        p.LMUY,
-    )
+    return state_of(p, (alpha, gamma), (alpha, kappa, Fz, gamma, speed), (p.LMUX, p.LMUY, p.LMUX, p.LMUY))
 
 
 def book_state(p: Any, alpha: Values, kappa: Values, Fz: Values, gamma: Values, speed: Values) -> State:
     """The working point as the book takes it: E3, E4, E7, E8."""
-    load, share = contact(Fz, p.FNOMIN)
-    Fz0 = p.LFZO * p.FNOMIN
-    sense = rolling_sense(speed, p.VXLOW)
     slope = tan(alpha)
     decay = 1.0 + p.LMUV * magnitude(speed) * sqrt(kappa * kappa + slope * slope) / p.LONGVL
     mu_x, mu_y = p.LMUX / decay, p.LMUY / decay
+    return state_of(
+        p, (slope, sin(gamma)), (alpha, kappa, Fz, gamma, speed), (mu_x, mu_y, digressive(mu_x), digressive(mu_y))
+    )
+
+
+def digressive(mu: Values) -> Any:
+    """E8."""
+    return A_MU * mu / (1.0 + (A_MU - 1.0) * mu)
+
+
+def state_of(
+    p: Any,
+    curve: tuple[Values, Values],
+    arguments: tuple[Values, Values, Values, Values, Values],
+    scales: tuple[Values, Values, Values, Values],
+) -> State:
+    """What both forms share: *curve* are slip angle and camber as they enter the curves, *scales* those of friction."""
+    alpha, kappa, Fz, camber, speed = arguments
+    mu_x, mu_y, shift_x, shift_y = scales
+    load, share = contact(Fz, p.FNOMIN)
+    Fz0 = p.LFZO * p.FNOMIN
+    sense = rolling_sense(speed, p.VXLOW)
     return State(
-        slope,
-        kappa,
-        sin(gamma),
-        gamma,
-        load,
-        share,
-        Fz0,
-        (load - Fz0) / Fz0,
-        cos(alpha),
-        sense * sense,
-        sense * magnitude(sense),
-        mu_x,
-        mu_y,
-        A_MU * mu_x / (1.0 + (A_MU - 1.0) * mu_x),
-        A_MU * mu_y / (1.0 + (A_MU - 1.0) * mu_y),
+        alpha=curve[0],
+        kappa=kappa,
+        gamma=curve[1],
+        camber=camber,
+        load=load,
+        share=share,
+        Fz0=Fz0,
+        dfz=(load - Fz0) / Fz0,
+        cosine=cos(alpha),
+        fade=sense * sense,
+        reverse=sense * magnitude(sense),
+        mu_x=mu_x,
+        mu_y=mu_y,
+        shift_x=shift_x,
+        shift_y=shift_y,
     )
