@@ -143,18 +143,20 @@ def compiled_loop(formula: Formula, names: tuple[str, ...]) -> Any:
 
     def run(table: Any, arguments: Any, out: Any) -> None:
         rows, total = arguments.shape
-        x, y = np.empty(rows * LANES), np.empty(rows * LANES)
+        x, y = np.ones(rows * LANES), np.empty(rows * LANES)
         for b in range(table.shape[0]):
-            first = b * LANES
-            count = min(LANES, total - first)
-            groups = (count + WIDTH - 1) // WIDTH * WIDTH
+            first, count = np.uint64(b * LANES), min(LANES, total - b * LANES)
             for row in range(rows):
-                for lane in range(groups):
-                    x[row * LANES + lane] = arguments[row, min(first + lane, total - 1)]
-            inner(table[b], x, y, groups)
+                begin = np.uint64(row * LANES)
+                for index in range(count):
+                    lane = np.uint64(index)
+                    x[begin + lane] = arguments[np.uint64(row), first + lane]
+            inner(table[b], x, y, (count + WIDTH - 1) // WIDTH * WIDTH)
             for row in range(rows):
-                for lane in range(count):
-                    out[row, first + lane] = y[row * LANES + lane]
+                begin = np.uint64(row * LANES)
+                for index in range(count):
+                    lane = np.uint64(index)
+                    out[np.uint64(row), first + lane] = y[begin + lane]
 
     return njit(error_model="numpy")(run)
 
