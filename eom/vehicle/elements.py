@@ -190,6 +190,118 @@ class Output(NamedTuple):
     feedthrough: tuple[tuple[str, float], ...] = ()
 
 
+class TyreLaw(NamedTuple):
+    """How one wheel's tyre answers slip and load.
+
+    Attributes
+    ----------
+    name : str
+    kind : str
+        ``linear``, ``magic_formula``, ``dugoff`` or ``tir``.
+    cornering, longitudinal : float
+        Stiffness of one wheel [N/rad, N]; a nonlinear law is fitted to them at the trim's load, zero where they
+        follow from the law.
+    camber : float
+        Camber thrust of one linear wheel per angle of lean [N/rad].
+    trail : float
+        Pneumatic trail [m].
+    relaxation : float
+        Length over which side force builds up [m], zero for at once.
+    rolling_resistance : float
+        Resisting force per normal load.
+    coefficients : tuple
+        (name, value) of the law's further coefficients, SI units.
+    file : str
+        Of coefficients, for ``tir``.
+    """
+
+    name: str
+    kind: str
+    cornering: float
+    longitudinal: float
+    camber: float
+    trail: float
+    relaxation: float
+    rolling_resistance: float
+    coefficients: tuple[tuple[str, float], ...] = ()
+    file: str = ""
+
+
+class Wheel(NamedTuple):
+    """A wheel on the road, or all wheels of an axle together in its middle.
+
+    Attributes
+    ----------
+    name, axle : str
+        ``axle_4.left`` of ``axle_4``; equal for wheels taken together.
+    body : int
+        The body that carries it.
+    place : Vector
+        Contact point at the trim [m].
+    count : float
+        How many wheels it stands for.
+    tyre : int
+        Number of its `TyreLaw`.
+    mirrored : bool
+        Whether the tyre stands on the other side than its coefficients are for.
+    radius : float
+        Rolling radius [m], zero where none is given.
+    spin_inertia : float
+        About the axle [kg m^2], of all it stands for; zero for a wheel whose spin is no state.
+    brake_gain : float
+        Brake torque per pressure [N m/Pa], of all it stands for.
+    drive_share : float
+        Its share of the drive torque.
+    steer : str
+        Name of the steer input, empty for a wheel that is not steered.
+    support : str
+        Name of the constraint that carries it vertically, with others; empty where ``spring`` carries it, or nothing.
+    share : float
+        Its share of that support's load.
+    roll_rate : float
+        Its load per angle by which its body rolls, besides [N/rad]: of the tyres' springs on its side.
+    spring : str
+        Name of the elastic element that carries it alone.
+    """
+
+    name: str
+    axle: str
+    body: int
+    place: Vector
+    count: float
+    tyre: int
+    mirrored: bool
+    radius: float
+    spin_inertia: float
+    brake_gain: float
+    drive_share: float
+    steer: str
+    support: str
+    share: float
+    roll_rate: float
+    spring: str
+
+
+class Drag(NamedTuple):
+    """Air's resistance at a place of a body: minus ``factor`` times v_x |v_x| along the body's x [N s^2/m^2].
+
+    At the trim it is the load, and about it the moving slip element, of the same name.
+    """
+
+    name: str
+    body: int
+    place: Vector
+    factor: float
+
+
+class Drive(NamedTuple):
+    """Lags of the drive torque and of brake pressures [s], zero for none; ``locked`` names axles of equal spins."""
+
+    drive_lag: float
+    brake_lag: float
+    locked: tuple[str, ...]
+
+
 class System(NamedTuple):
     """Everything that acts, with numbers: what assembly turns into matrices."""
 
@@ -205,3 +317,7 @@ class System(NamedTuple):
     bushings: tuple[Bushing, ...] = ()
     beams: tuple[Beam, ...] = ()
     triangles: tuple[Triangle, ...] = ()
+    wheels: tuple[Wheel, ...] = ()
+    tyres: tuple[TyreLaw, ...] = ()
+    drags: tuple[Drag, ...] = ()
+    drive: Drive = Drive(0.0, 0.0, ())
