@@ -255,13 +255,14 @@ class Wheel(NamedTuple):
     steer : str
         Name of the steer input, empty for a wheel that is not steered.
     support : str
-        Name of the constraint that carries it vertically, with others; empty where ``spring`` carries it, or nothing.
+        Name of the constraint that carries it vertically, with others; empty where ``spring`` does, or nothing.
     share : float
         Its share of that support's load.
     roll_rate : float
         Its load per angle by which its body rolls, besides [N/rad]: of the tyres' springs on its side.
     spring : str
-        Name of the elastic element that carries it alone.
+        Name of the elastic element that its tyre is part of: without a support its own vertical spring, with one
+        the roll stiffness of its group's tyres.
     """
 
     name: str
