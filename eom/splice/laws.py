@@ -1,0 +1,80 @@
+"""Tyre laws of a vehicle's wheels as objects of `eom.tyre`, one stack of them per model."""
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from eom.assembly.vectors import Array
+from eom.tyre.dugoff import Dugoff
+from eom.tyre.interface import Tyre
+from eom.tyre.linear import Linear
+from eom.tyre.magic_formula import MagicFormula
+from eom.tyre.stack import stack
+from eom.tyre.tir.file import read_tir
+from eom.vehicle.elements import TyreLaw, Wheel
+
+COMBINED = ("ellipse", "cosine")
+UNLOADED = 1.0
+"""Load [N] that stands for one that nothing tells, of wheels whose linear tyre asks for none."""
+
+
+class LawGroup(NamedTuple):
+    """Wheels whose tyres have the same equations: their numbers, and a tyre whose coefficients are arrays."""
+
+    wheels: NDArray[np.intp]
+    tyre: Any
+
+
+def fitted(law: TyreLaw, load: float, radius: float) -> Tyre:
+    """The tyre of a law, with the law's stiffnesses at a normal load [N], on a wheel of a radius [m]."""
+    common: dict[str, float] = {
+        "nominal_load": load,
+        "trail": law.trail,
+        "rolling_resistance": law.rolling_resistance,
+        "radius": radius,
+    }
+    given = dict(law.coefficients)
+    match law.kind:
+        case "magic_formula":
+            form = COMBINED[int(given.pop("combined", 0.0))]
+            # a wheel whose spin is no state has no longitudinal slip, whatever its stiffness
+            k_x = (law.longitudinal or law.cornering) / load
+            return MagicFormula(**common, k_y=law.cornering / load, k_x=k_x, combined=form, **given)  # type: ignore[arg-type]
+        case "dugoff":
+            longitudinal = law.longitudinal or law.cornering
+            return Dugoff(**common, cornering=law.cornering, longitudinal=longitudinal, **given)
+        case "tir":
+            return read_tir(law.file).tyre
+        case _:
+            return Linear(**common, cornering=law.cornering, longitudinal=law.longitudinal, camber=law.camber)
+
+
+def law_groups(wheels: Sequence[Wheel], laws: Sequence[TyreLaw], loads: Array) -> tuple[LawGroup, ...]:
+    """The tyres of all wheels; each law is fitted at the mean of the loads [N] of the wheels that have it."""
+    tyres: list[Tyre] = []
+    for wheel in wheels:
+        same = [load for load, other in zip(loads, wheels, strict=True) if other.tyre == wheel.tyre]
+        tyre = fitted(laws[wheel.tyre], float(np.mean(same)), wheel.radius)
+        if hasattr(tyre, "on") and wheel.name.endswith((".left", ".right")):
+            tyre = tyre.on(wheel.name.rsplit(".", maxsplit=1)[1])
+        tyres.append(tyre)
+    groups: dict[tuple[Any, ...], list[int]] = {}
+    for k, tyre in enumerate(tyres):
+        form = tuple(getattr(tyre, name, None) for name in ("form", "use", "combined"))
+        groups.setdefault((type(tyre), *form), []).append(k)
+    return tuple(LawGroup(np.array(own), stack([tyres[k] for k in own])) for own in groups.values())
+
+
+def forces(groups: tuple[LawGroup, ...], count: Array, alpha: Any, kappa: Any, Fz: Any, gamma: Any, speed: Any) -> Any:
+    """Fx, Fy, Mx, My, Mz of all wheels in their own axes, (5, wheels) [N, N m].
+
+    Arguments are arrays over the wheels as for `eom.tyre.Tyre.forces`; they may be complex, to carry a derivative.
+    """
+    result = np.zeros((5, len(count)), dtype=np.result_type(alpha, kappa, Fz, gamma, speed, float))
+    for own, tyre in groups:
+        arguments = [value[own] for value in (alpha, kappa, Fz / count, gamma, speed)]
+        for row, value in zip(result, tyre.formula(tyre, *arguments), strict=True):
+            row[own] = count[own] * value
+    return result

@@ -1,0 +1,143 @@
+"""The multibody part: what is left of a vehicle without its tyres, in arrays for the nonlinear equations."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from eom.assembly.algebra import DENSE
+from eom.assembly.elastic import elastic_items
+from eom.assembly.loads import load_sums, with_weight
+from eom.assembly.matrices import Matrices, carried_loads
+from eom.assembly.reduction import Pivots
+from eom.assembly.rows import row_count
+from eom.assembly.tangent import tangent_entries
+from eom.assembly.vectors import Array
+from eom.splice.turning import turning
+from eom.vehicle.elements import System
+
+LEAD = (0, 1, 5)
+"""Coordinates of the lead body that locate the moving frame: x, y, yaw."""
+
+
+class Multibody(NamedTuple):
+    """A vehicle without tyres in a frame that moves and yaws with its lead body; N = 6 bodies.
+
+    Displacements q are counted from that frame, velocities n are whole ones in body axes; n[0] is the lead's v_x.
+
+    Attributes
+    ----------
+    M : Array
+        Mass matrix (N, N).
+    mass, inertia : Array
+        Of the bodies, (bodies,) [kg] and (bodies, 3, 3) [kg m^2].
+    C, C_speed : Array
+        Damping on w less the straight run, constant and per forward speed, (N, N).
+    K, K_speed : Array
+        Stiffness on displacements without that of reactions, constant and per forward speed, (N, N).
+    T : Array
+        Displacements of all bodies by q, (N, q).
+    W, W_turn : Array
+        w = (W + sum_k q_k W_turn[k]) n, shapes (N, n) and (q, N n), the latter flattened.
+    rate_n, rate_q : Array
+        dq/dt = rate_n n + v_x rate_q q.
+    react : Array
+        Reactions of the independent constraint rows per force on w, (rows, N).
+    react_turn : Array
+        Their change per displacement and reaction, (q, rows rows), flattened.
+    f : Array
+        Weight, loads and preloads, (N,).
+    B : Array
+        Generalised force per input of the multibody part, (N, inputs).
+    lead : Array
+        Places of the lead's v_x, v_y and yaw rate in n.
+    held : bool
+        Whether the lead's speed is held.
+    """
+
+    M: Array
+    mass: Array
+    inertia: Array
+    C: Array
+    C_speed: Array
+    K: Array
+    K_speed: Array
+    T: Array
+    W: Array
+    W_turn: Array
+    rate_n: Array
+    rate_q: Array
+    react: Array
+    react_turn: Array
+    f: Array
+    B: Array
+    lead: NDArray[np.intp]
+    held: bool
+
+
+def multibody(system: System, pivots: Pivots, matrices: Matrices, speed: float, *, held: bool) -> Multibody:
+    """The multibody part of a system; *matrices* are its own under the forces of the trim at a forward speed [m/s]."""
+    reduction = matrices.reduction
+    own = np.flatnonzero(~np.isin(reduction.independent, LEAD))
+    at = reduction.independent[own]
+    T, W = reduction.T[:, own], reduction.W
+    turned = turning(system, pivots, reduction, T)
+    frame = frame_motion(system)
+    rate_n = W[at] - 0.0
+    lead = np.searchsorted(reduction.independent, LEAD)
+    rate_n[:, lead] -= frame[at]
+    dependent = list(pivots.dependent)
+    react = np.zeros((len(pivots.rows), len(matrices.M)))
+    react_turn = np.zeros((len(at), react.shape[0], react.shape[0]))
+    if reduction.factor is not None:
+        react[:, dependent] = reduction.factor.solve_transposed(np.eye(len(dependent)))
+        react_turn = -react[:, dependent] @ turned.rows[:, :, dependent].transpose(0, 2, 1)
+    bodies = system.bodies
+    return Multibody(
+        M=matrices.M,
+        mass=np.array([body.mass for body in bodies]),
+        inertia=np.array([body.inertia for body in bodies]),
+        C=matrices.C - matrices.C_momentum - matrices.C_inertance,
+        C_speed=matrices.C_inertance / speed,
+        K=matrices.K_elastic + elastic_tangent(system, matrices) + matrices.K_load + matrices.K_camber,
+        K_speed=matrices.K_damper / speed,
+        T=T,
+        W=W,
+        W_turn=turned.motions.reshape(len(at), W.size),
+        rate_n=rate_n,
+        rate_q=-(matrices.V @ T)[at] / speed,
+        react=react,
+        react_turn=react_turn.reshape(len(at), react.shape[0] ** 2),
+        f=load_sums(bodies, with_weight(system))[0] + matrices.H.T @ matrices.statics.tensions,
+        B=matrices.F,
+        lead=lead,
+        held=held,
+    )
+
+
+def frame_motion(system: System) -> Array:
+    """Displacement of all coordinates when the frame moves along x, along y, or turns about the lead's centre."""
+    motion = np.zeros((6 * len(system.bodies), 3))
+    for k, body in enumerate(system.bodies):
+        x, y, _ = np.subtract(body.centre, system.bodies[0].centre)
+        motion[6 * k, (0, 2)] = 1.0, -y
+        motion[6 * k + 1, (1, 2)] = 1.0, x
+        motion[6 * k + 5, 2] = 1.0
+    return motion
+
+
+def elastic_tangent(system: System, matrices: Matrices) -> Array:
+    """Tangent stiffness of the preloads of springs, without that of the joints' reactions."""
+    joints = len(system.constraints)
+    carried = carried_loads(system, elastic_items(system), matrices.statics)[joints:]
+    return DENSE.build(matrices.M.shape, tangent_entries(system.bodies, carried))
+
+
+def row_of(system: System, pivots: Pivots, name: str) -> int:
+    """Place of a constraint's first row among the independent ones, -1 if it is not among them."""
+    row = 0
+    for item in system.constraints:
+        if item.connection.name == name:
+            return pivots.rows.index(row) if row in pivots.rows else -1
+        row += row_count(item.connection)
+    return -1

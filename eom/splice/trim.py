@@ -1,0 +1,165 @@
+"""The straight, steady run: drive torque against resistance, slips, loads, and the forces that tyres then have."""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from eom.assembly.matrices import Matrices, assemble_matrices
+from eom.assembly.reduction import Pivots
+from eom.assembly.vectors import Array
+from eom.splice.contact import contact, spring_loads
+from eom.splice.laws import UNLOADED, LawGroup, forces, law_groups
+from eom.vehicle.elements import Load, System, Wheel
+
+PASSES, SETTLED = 50, 1e-14
+STEP = 1e-30
+
+
+class Trim(NamedTuple):
+    """The straight run of a vehicle at a forward speed; arrays are over its wheels.
+
+    Attributes
+    ----------
+    speed : float
+        [m/s]
+    load, slip, spin : Array
+        Normal load [N], longitudinal slip, speed of rotation [rad/s].
+    forces : Array
+        Fx, Fy, Mx, My, Mz of the road on the wheels, (5, wheels) [N, N m].
+    torque : float
+        Drive torque of all driven wheels together [N m].
+    """
+
+    speed: float
+    load: Array
+    slip: Array
+    spin: Array
+    forces: Array
+    torque: float
+
+
+class TrimError(ValueError):
+    """A straight run that cannot be held; ``owner`` is the object to blame."""
+
+    def __init__(self, owner: str, what: str) -> None:
+        self.owner = owner
+        super().__init__(what)
+
+
+def solve_trim(
+    system: System, pivots: Pivots, speed: float, *, held: bool, groups: tuple[LawGroup, ...] | None = None
+) -> tuple[Trim, tuple[LawGroup, ...], Matrices]:
+    """The trim of a system without its wheels' linear forces, the tyres' laws, and the matrices with its forces.
+
+    The laws are fitted at the trim's loads unless *groups* gives them. Raises `TrimError` where there is none.
+    """
+    wheels = system.wheels
+    loads, torque = np.full(len(wheels), np.nan), 0.0
+    found = np.zeros((5, len(wheels)))
+    kappa = np.zeros(len(wheels))
+    laws = groups
+    for _ in range(PASSES):
+        acting = system._replace(loads=(*system.loads, *road_loads(system, found, torque, speed, held=held)))
+        matrices = assemble_matrices(acting, pivots)
+        previous, loads = loads, wheel_loads(acting, pivots, matrices)
+        if np.all(np.abs(loads - previous) <= SETTLED * np.max(np.abs(loads), initial=1.0)):
+            break
+        if groups is None:
+            laws = law_groups(wheels, system.tyres, loads)
+        kappa, found, torque = rolling(system, laws or (), loads, kappa, speed, held=held)
+    else:
+        raise TrimError(wheels[0].name, "loads and resistance of the straight run do not settle")
+    check_loads(wheels, loads)
+    radius = np.array([wheel.radius or 1.0 for wheel in wheels])
+    return Trim(speed, loads, kappa, (1.0 + kappa) * speed / radius, found, torque), laws or (), matrices
+
+
+def wheel_loads(system: System, pivots: Pivots, matrices: Matrices) -> Array:
+    """Normal loads [N] by statics, `UNLOADED` where nothing tells."""
+    own = contact(system, pivots, np.zeros(len(system.wheels)), matrices.statics.reactions)
+    loads = own.share @ own.carried + spring_loads(system, matrices, system.wheels)
+    told = [bool(wheel.support or wheel.spring) for wheel in system.wheels]
+    return np.where(told, loads, UNLOADED)
+
+
+def check_loads(wheels: Sequence[Wheel], loads: Array) -> None:
+    """Raise `TrimError` for a wheel that nothing presses on the road."""
+    for wheel, load in zip(wheels, loads, strict=True):
+        if not load > 0.0:
+            what = f"its normal load at the trim is {load:.6g} N: a wheel stands on the road by more than nothing"
+            raise TrimError(wheel.axle, what)
+
+
+def rolling(
+    system: System, laws: tuple[LawGroup, ...], loads: Array, kappa: Array, speed: float, *, held: bool
+) -> tuple[Array, Array, float]:
+    """Slips, forces (5, wheels) and drive torque with which every wheel and the whole run steadily."""
+    wheels = system.wheels
+    count, radius, share, spinning = (
+        np.array([getattr(wheel, name) for wheel in wheels], dtype=float)
+        for name in ("count", "radius", "drive_share", "spin_inertia")
+    )
+    arm = np.where(radius > 0.0, radius, 1.0)
+    zero = np.zeros(len(wheels))
+    torque = 0.0
+    for _ in range(PASSES):
+        at = forces(laws, count, zero, kappa + 1j * STEP, loads + 0j, zero, zero + speed)
+        resistance = at[3].real / arm
+        if not held:
+            torque = drive_torque(system, float(np.sum(resistance)) - against(system, speed), share / arm)
+        wanted = share * torque / arm + resistance
+        lacking = np.where(spinning > 0.0, wanted - at[0].real, 0.0)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            change = np.where(spinning > 0.0, lacking / (at[0].imag / STEP), 0.0)
+        if not np.all(np.isfinite(change) & (np.abs(kappa + change) < 1.0)):
+            worst = int(np.argmax(np.abs(wanted) / loads))
+            what = f"the straight run asks for {wanted[worst]:.6g} N along it at {loads[worst]:.6g} N of load, more than its tyre can give"
+            raise TrimError(wheels[worst].axle, what)
+        kappa = kappa + change
+        if np.all(np.abs(change) <= SETTLED):
+            break
+    found = at.real.copy()
+    found[0] = wanted
+    return kappa, found, torque
+
+
+def against(system: System, speed: float) -> float:
+    """What else resists the straight run [N]: drag, and loads along x."""
+    drag = sum(item.factor for item in system.drags) * speed * abs(speed)
+    return float(drag - sum(load.force[0] for load in system.loads))
+
+
+def drive_torque(system: System, along: float, per_torque: Array) -> float:
+    """The drive torque that balances a force *along* the run [N], of which wheels give *per_torque* each [1/m]."""
+    per = float(np.sum(per_torque))
+    if per == 0.0 and abs(along) > 0.0:
+        what = (
+            f"{abs(along):.6g} N resist the straight run and nothing drives: give an axle 'driven: true', or the trim "
+            "'hold: true'"
+        )
+        raise TrimError("trim", what)
+    return 0.0 if per == 0.0 else -along / per
+
+
+def road_loads(system: System, found: Array, torque: float, speed: float, *, held: bool) -> list[Load]:
+    """What road, drive and air do to the bodies at the trim, in axes that turn with them."""
+    loads: list[Load] = []
+    zero = (0.0, 0.0, 0.0)
+    total = 0.0
+    for wheel, (Fx, Fy, Mx, _, Mz) in zip(system.wheels, found.T, strict=True):
+        hub = wheel.radius if wheel.spin_inertia > 0.0 else 0.0
+        place = (wheel.place[0], wheel.place[1], wheel.place[2] + hub)
+        back = -wheel.drive_share * torque if wheel.spin_inertia > 0.0 else 0.0
+        name = f"{wheel.name}.road"
+        loads.append(Load(name, wheel.body, place, (float(Fx), 0.0, 0.0), (float(Mx), back, float(Mz)), wheel.body))
+        loads.append(Load(name, wheel.body, wheel.place, (0.0, float(Fy), 0.0), zero, wheel.body))
+        total += float(Fx)
+    for item in system.drags:
+        force = -item.factor * speed * abs(speed)
+        loads.append(Load(item.name, item.body, item.place, (force, 0.0, 0.0), zero, item.body))
+        total += force
+    if held:
+        hold = -total - sum(load.force[0] for load in system.loads)
+        loads.append(Load("trim.hold", 0, system.bodies[0].centre, (hold, 0.0, 0.0), zero, 0))
+    return loads
