@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from eom.assembly.loads import load_sums
 from eom.assembly.massless import independent_equations
 from eom.assembly.vectors import Array
 from eom.splice.contact import FORWARD, LATERAL
@@ -15,6 +16,7 @@ from eom.splice.equations import sizes
 from eom.splice.laws import forces
 from eom.splice.multibody import frame_motion
 from eom.splice.prepare import Prepared
+from eom.splice.trim import road_loads
 
 STEP = 1e-30
 ALPHA, KAPPA, LOAD, CAMBER, SPEED = range(5)
@@ -96,7 +98,7 @@ def close(prepared: Prepared) -> Closed:
         ]
     )
     drag = 2.0 * U * control.drags.T @ (control.drag_factor[:, np.newaxis] * (control.drags @ w))
-    force = np.einsum("kwn,kws->ns", c.rows, on_body) - drag
+    force = np.einsum("kwn,kws->ns", c.rows, on_body) - drag + level(prepared, p)
     pushed = reduction.W.T @ (force + body.B @ u_) - equations.C @ n_ - equations.K @ q_
     dn = np.zeros_like(n_)
     free = slice(1, None) if body.held else slice(None)
@@ -121,6 +123,21 @@ def close(prepared: Prepared) -> Closed:
     return Closed(rates_[:, :states], rates_[:, states:], p, w, dw, load)
 
 
+def level(prepared: Prepared, p: Array) -> Array:
+    """Forces of wheels, air and loads that turn with a body's heading alone, by its roll and pitch in p.
+
+    The kernel takes them for fixed in body axes; these are the differences, in body axes.
+    """
+    trim, system = prepared.trim, prepared.system
+    acting = [*road_loads(system, trim, held=prepared.model.body.held), *system.loads]
+    force = load_sums(system.bodies, [load for load in acting if load.frame == load.body])[0].reshape(-1, 6)
+    result = np.zeros_like(p)
+    for i, (Fx, Fy, Fz) in enumerate(force[:, :3]):
+        roll, pitch = p[6 * i + 3], p[6 * i + 4]
+        result[6 * i : 6 * i + 3] = -pitch * Fz, roll * Fz, pitch * Fx - roll * Fy
+    return result
+
+
 def from_frame(prepared: Prepared, known: int) -> tuple[Array, Array]:
     """The kernel's coordinates by the frame's place and what is counted from it, over all columns; and the reverse
     for the rates of the states.
@@ -131,6 +148,9 @@ def from_frame(prepared: Prepared, known: int) -> tuple[Array, Array]:
     count = len(independent)
     counted = np.eye(known)
     counted[:count, :count] = 0.0
+    # velocities in body axes by those of the frame's axes
+    moved = (prepared.matrices.V @ prepared.model.body.T)[independent]
+    counted[count : 2 * count, len(lead) + np.arange(len(own))] = moved
     counted[lead, np.arange(len(lead))] = 1.0
     counted[own[:, np.newaxis], np.arange(len(lead))] = frame_motion(prepared.system)[independent[own]]
     counted[own, len(lead) + np.arange(len(own))] = 1.0

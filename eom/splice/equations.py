@@ -76,12 +76,18 @@ class State(NamedTuple):
 
 
 class Motion(NamedTuple):
-    """Velocities at a state: W(q), w, dq/dt, and the part of dw/dt that does not follow from dn/dt."""
+    """Velocities at a state: W(q), w = W n, dq/dt, and the part of dw/dt that does not follow from dn/dt.
+
+    ``displaced`` are the displacements of all bodies, ``local`` the velocities w with translations along each body's
+    own heading.
+    """
 
     W: Any
     w: Any
     dq: Any
     drift: Any
+    displaced: Any
+    local: Any
 
 
 class Rolling(NamedTuple):
@@ -135,19 +141,29 @@ def split(x: Any, p: Model) -> State:
     return State(*np.split(x, ends[:-1]))
 
 
+def headed(vectors: Any, yaw: Any) -> Any:
+    """Translational parts, (N,), turned about z by an angle per body, (bodies,)."""
+    result = vectors.reshape(-1, 6) + 0.0 * yaw[:, np.newaxis]
+    x, y = vectors[0::6], vectors[1::6]
+    cos, sin = np.cos(yaw), np.sin(yaw)
+    result[:, 0], result[:, 1] = cos * x - sin * y, sin * x + cos * y
+    return result.ravel()
+
+
 def motion(state: State, p: Model) -> Motion:
     """Velocities of all bodies."""
     body = p.body
     shape = body.W.shape
     W = body.W + (state.q @ body.W_turn).reshape(shape)
-    dq = body.rate_n @ state.n + state.n[0] * (body.rate_q @ state.q)
-    return Motion(W, W @ state.n, dq, (dq @ body.W_turn).reshape(shape) @ state.n)
+    w, dq, displaced = W @ state.n, body.rate @ state.n, body.T @ state.q
+    drift = (dq @ body.W_turn).reshape(shape) @ state.n
+    return Motion(W, w, dq, drift, displaced, headed(w, -displaced[5::6]))
 
 
 def rolling(state: State, u: Any, at: Motion, p: Model) -> Rolling:
     """Slips of all wheels."""
     c = p.contact
-    v_x, v_y = c.rows[FORWARD] @ at.w, c.rows[LATERAL] @ at.w
+    v_x, v_y = c.rows[FORWARD] @ at.local, c.rows[LATERAL] @ at.local
     steer = p.control.steer @ u
     cos, sin = np.cos(steer), np.sin(steer)
     forward, sideward = cos * v_x + sin * v_y, cos * v_y - sin * v_x
@@ -157,14 +173,13 @@ def rolling(state: State, u: Any, at: Motion, p: Model) -> Rolling:
     omega[c.spinning] = state.spin
     alpha[c.relaxing] = state.side
     kappa = (omega * c.radius - forward) / speed
-    return Rolling(forward, side, alpha, kappa, c.lean @ (p.body.T @ state.q), steer, omega)
+    return Rolling(forward, side, alpha, kappa, c.lean @ at.displaced, steer, omega)
 
 
-def wheel_loads(state: State, at: Motion, supports: Any, p: Model) -> Any:
+def wheel_loads(at: Motion, supports: Any, p: Model) -> Any:
     """Normal loads [N] by the supports' loads; a wheel that lifts pulls nothing, and its partner carries the axle."""
     c = p.contact
-    displaced, rate = p.body.T @ state.q, p.body.T @ at.dq
-    free = c.base + c.share @ supports + (c.rolled + c.sprung) @ displaced + c.damped @ rate
+    free = c.base + c.share @ supports + (c.rolled + c.sprung) @ at.displaced + c.damped @ (p.body.T @ at.dq)
     limit = maximum(c.most @ supports, 0.0) + c.alone
     return minimum(maximum(free, 0.0), limit)
 
@@ -203,27 +218,41 @@ def on_bodies(found: Any, slip: Rolling, load: Any, torque: Any, p: Model) -> An
     )
 
 
-def lifted(state: State, at: Motion, load: Any, p: Model) -> Any:
+def lifted(at: Motion, load: Any, p: Model) -> Any:
     """What a wheel's own spring, which is part of the multibody's stiffness, must not pull when it lifts [N]."""
     c = p.contact
-    free = c.base + c.sprung @ (p.body.T @ state.q) + c.damped @ (p.body.T @ at.dq)
+    free = c.base + c.sprung @ at.displaced + c.damped @ (p.body.T @ at.dq)
     return np.where(c.alone > 0.0, load - free, 0.0)
 
 
 def passive_forces(state: State, u: Any, at: Motion, p: Model) -> Any:
     """Generalised forces on w of all but wheels and joints, gyroscopic and centripetal terms included, (N,)."""
-    body, v_x = p.body, state.n[0]
-    perturbed = at.w - v_x * body.W[:, 0]
-    displaced = body.T @ state.q
-    along = p.control.drags @ at.w
-    result = body.f + body.B @ u
-    result = result - body.C @ perturbed - v_x * (body.C_speed @ perturbed)
-    result = result - body.K @ displaced - v_x * (body.K_speed @ displaced)
-    result = result - p.control.drags.T @ (p.control.drag_factor * along * magnitude(along))
-    v, omega = at.w.reshape(-1, 6)[:, :3], at.w.reshape(-1, 6)[:, 3:]
-    momentum = (body.inertia @ omega[:, :, np.newaxis])[:, :, 0]
-    turning = np.concatenate((body.mass[:, np.newaxis] * np.cross(omega, v), np.cross(omega, momentum)), axis=1)
-    return result - turning.ravel()
+    body, drags = p.body, p.control.drags
+    v_x, yaw_rate = state.n[body.lead[0]], state.n[body.lead[2]]
+    along = drags @ at.local
+    planar = body.planar - drags.T @ (p.control.drag_factor * along * magnitude(along))
+    planar = planar - body.C_slip @ body_velocity(at, v_x)
+    w = at.w.reshape(-1, 6)
+    momentum = (body.inertia @ w[:, 3:, np.newaxis])[:, :, 0]
+    turning = np.zeros_like(w)
+    turning[:, 0], turning[:, 1] = -body.mass * yaw_rate * w[:, 1], body.mass * yaw_rate * w[:, 0]
+    turning[:, 3:] = np.cross(w[:, 3:], momentum)
+    elastic = body.K @ at.displaced + body.C @ at.w
+    return body.f + body.B @ u + headed(planar, at.displaced[5::6]) - elastic - turning.ravel()
+
+
+def body_velocity(at: Motion, v_x: Any) -> Any:
+    """Velocities in body axes less a straight run at v_x, (N,): a pitched body moves along its z too."""
+    result = at.local + 0.0
+    result[0::6] -= v_x
+    result[2::6] += v_x * at.displaced[4::6]
+    return result
+
+
+def generalised(found: Any, at: Motion, p: Model) -> Any:
+    """Generalised forces on w of wheels' forces along the rows of `Contact`, (6, w), turned by each body's heading."""
+    rows = p.contact.rows
+    return headed(rows.reshape(-1, rows.shape[2]).T @ found.ravel(), at.displaced[5::6])
 
 
 def accelerations(at: Motion, applied: Any, p: Model) -> tuple[Any, Any, Any]:
@@ -259,25 +288,25 @@ def balance(state: State, u: Any, at: Motion, slip: Rolling, p: Model) -> Balanc
     rows = c.rows.reshape(-1, c.rows.shape[2])
     assumed = c.carried
     if len(assumed):
-        first = wheel_loads(state, at, assumed, p)
+        first = wheel_loads(at, assumed, p)
         found = on_bodies(road_forces(slip, first, torque, p), slip, first, torque, p)
-        found[5] = lifted(state, at, first, p)
+        found[5] = lifted(at, first, p)
         step = LOAD_STEP * c.nominal
         second = first + step
         slope = (on_bodies(road_forces(slip, second, torque, p), slip, second, torque, p) - found) / step
         slope[5] = 0.0
-        _, _, lacking = accelerations(at, passive + rows.T @ found.ravel(), p)
+        _, _, lacking = accelerations(at, passive + generalised(found, at, p), p)
         off = reactions(state, lacking, p)[c.supports] - assumed
-        acting = np.where(
-            ((first > 0.0) & (first < maximum(c.most @ assumed, 0.0) + c.alone))[:, np.newaxis], c.share, 0.0
-        )
+        limit = (maximum(c.most @ assumed, 0.0) + c.alone)[:, np.newaxis]
+        loaded, resting = (first > 0.0)[:, np.newaxis], first[:, np.newaxis] < limit
+        acting = np.where(loaded, np.where(resting, c.share, c.most), 0.0)
         gain = p.load_gain @ (rows.T @ (slope[:, :, np.newaxis] * acting).reshape(-1, len(assumed)))
         assumed = assumed + np.linalg.solve(np.eye(len(assumed)) - gain, off)
-    load = wheel_loads(state, at, assumed, p)
+    load = wheel_loads(at, assumed, p)
     found = road_forces(slip, load, torque, p)
     on_body = on_bodies(found, slip, load, torque, p)
-    on_body[5] = lifted(state, at, load, p)
-    dn, dw, lacking = accelerations(at, passive + rows.T @ on_body.ravel(), p)
+    on_body[5] = lifted(at, load, p)
+    dn, dw, lacking = accelerations(at, passive + generalised(on_body, at, p), p)
     return Balance(dn, dw, reactions(state, lacking, p), on_body, found, load, torque, assumed)
 
 

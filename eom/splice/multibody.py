@@ -12,7 +12,7 @@ from eom.assembly.matrices import Matrices, carried_loads
 from eom.assembly.reduction import Pivots
 from eom.assembly.rows import row_count
 from eom.assembly.tangent import tangent_entries
-from eom.assembly.vectors import Array
+from eom.assembly.vectors import Array, skew
 from eom.splice.turning import turning
 from eom.vehicle.elements import System
 
@@ -23,7 +23,8 @@ LEAD = (0, 1, 5)
 class Multibody(NamedTuple):
     """A vehicle without tyres in a frame that moves and yaws with its lead body; N = 6 bodies.
 
-    Displacements q are counted from that frame, velocities n are whole ones in body axes; n[0] is the lead's v_x.
+    Displacements q are counted from that frame. Velocities w are whole ones: translations in the frame's axes, rotations
+    in body axes; n are the independent ones among them, n[0] the lead's v_x.
 
     Attributes
     ----------
@@ -31,22 +32,26 @@ class Multibody(NamedTuple):
         Mass matrix (N, N).
     mass, inertia : Array
         Of the bodies, (bodies,) [kg] and (bodies, 3, 3) [kg m^2].
-    C, C_speed : Array
-        Damping on w less the straight run, constant and per forward speed, (N, N).
-    K, K_speed : Array
-        Stiffness on displacements without that of reactions, constant and per forward speed, (N, N).
+    C : Array
+        Damping on w, of what moves parts against each other or the road, (N, N).
+    C_slip : Array
+        Damping on velocities in body axes less the straight run: slip and air other than wheels and drag, (N, N).
+    K : Array
+        Stiffness of springs, preloads and weight on displacements, (N, N); what joints carry is not in it.
     T : Array
         Displacements of all bodies by q, (N, q).
     W, W_turn : Array
         w = (W + sum_k q_k W_turn[k]) n, shapes (N, n) and (q, N n), the latter flattened.
-    rate_n, rate_q : Array
-        dq/dt = rate_n n + v_x rate_q q.
+    rate : Array
+        dq/dt = rate n.
     react : Array
         Reactions of the independent constraint rows per force on w, (rows, N).
     react_turn : Array
         Their change per displacement and reaction, (q, rows rows), flattened.
     f : Array
         Weight, loads and preloads, (N,).
+    planar : Array
+        Loads that turn with the heading of their body, (N,).
     B : Array
         Generalised force per input of the multibody part, (N, inputs).
     lead : Array
@@ -59,56 +64,58 @@ class Multibody(NamedTuple):
     mass: Array
     inertia: Array
     C: Array
-    C_speed: Array
+    C_slip: Array
     K: Array
-    K_speed: Array
     T: Array
     W: Array
     W_turn: Array
-    rate_n: Array
-    rate_q: Array
+    rate: Array
     react: Array
     react_turn: Array
     f: Array
+    planar: Array
     B: Array
     lead: NDArray[np.intp]
     held: bool
 
 
-def multibody(system: System, pivots: Pivots, matrices: Matrices, speed: float, *, held: bool) -> Multibody:
-    """The multibody part of a system; *matrices* are its own under the forces of the trim at a forward speed [m/s]."""
-    reduction = matrices.reduction
+def multibody(system: System, pivots: Pivots, matrices: Matrices, *, held: bool) -> Multibody:
+    """The multibody part of a system; *matrices* are its own under the forces of the trim."""
+    reduction, bodies = matrices.reduction, system.bodies
     own = np.flatnonzero(~np.isin(reduction.independent, LEAD))
     at = reduction.independent[own]
     T, W = reduction.T[:, own], reduction.W
-    turned = turning(system, pivots, reduction, T)
-    frame = frame_motion(system)
-    rate_n = W[at] - 0.0
+    turned = turning(system, pivots, matrices.J, reduction, T)
     lead = np.searchsorted(reduction.independent, LEAD)
-    rate_n[:, lead] -= frame[at]
+    rate = W[at].copy()
+    rate[:, lead] -= frame_motion(system)[at]
     dependent = list(pivots.dependent)
     react = np.zeros((len(pivots.rows), len(matrices.M)))
     react_turn = np.zeros((len(at), react.shape[0], react.shape[0]))
     if reduction.factor is not None:
         react[:, dependent] = reduction.factor.solve_transposed(np.eye(len(dependent)))
         react_turn = -react[:, dependent] @ turned.rows[:, :, dependent].transpose(0, 2, 1)
-    bodies = system.bodies
+    dead = [load for load in with_weight(system) if load.frame != load.body]
+    f = load_sums(bodies, dead)[0] + matrices.H.T @ matrices.statics.tensions
+    K = matrices.K_elastic + elastic_tangent(system, matrices) + matrices.K_load + matrices.K_camber
+    for i in range(len(bodies)):
+        # forces of body axes, resolved in those of the frame
+        K[6 * i : 6 * i + 3, 6 * i + 3 : 6 * i + 6] += skew(f[6 * i : 6 * i + 3])
     return Multibody(
         M=matrices.M,
         mass=np.array([body.mass for body in bodies]),
         inertia=np.array([body.inertia for body in bodies]),
-        C=matrices.C - matrices.C_momentum - matrices.C_inertance,
-        C_speed=matrices.C_inertance / speed,
-        K=matrices.K_elastic + elastic_tangent(system, matrices) + matrices.K_load + matrices.K_camber,
-        K_speed=matrices.K_damper / speed,
+        C=matrices.C_damper,
+        C_slip=matrices.C_slip,
+        K=K,
         T=T,
         W=W,
         W_turn=turned.motions.reshape(len(at), W.size),
-        rate_n=rate_n,
-        rate_q=-(matrices.V @ T)[at] / speed,
+        rate=rate,
         react=react,
         react_turn=react_turn.reshape(len(at), react.shape[0] ** 2),
-        f=load_sums(bodies, with_weight(system))[0] + matrices.H.T @ matrices.statics.tensions,
+        f=f,
+        planar=load_sums(bodies, [load for load in system.loads if load.frame == load.body])[0],
         B=matrices.F,
         lead=lead,
         held=held,

@@ -59,7 +59,7 @@ def prepare(system: System, speed: float) -> Prepared:
     pivots = choose_coordinates(rest, DENSE)
     trim, laws, matrices = solve_trim(rest, pivots, speed, held=held)
     check_pivots(rest, pivots, matrices)
-    body = multibody(rest, pivots, matrices, speed, held=held)
+    body = multibody(rest, pivots, matrices, held=held)
     wheels = contact(rest, pivots, trim.load, matrices.statics.reactions)
     inputs = control(rest, wheels)
     others = np.zeros((len(body.M), len(inputs.demand) - body.B.shape[1]))

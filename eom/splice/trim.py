@@ -55,24 +55,24 @@ def solve_trim(
     The laws are fitted at the trim's loads unless *groups* gives them. Raises `TrimError` where there is none.
     """
     wheels = system.wheels
-    loads, torque = np.full(len(wheels), np.nan), 0.0
-    found = np.zeros((5, len(wheels)))
-    kappa = np.zeros(len(wheels))
+    zero = np.zeros(len(wheels))
+    radius = np.array([wheel.radius or 1.0 for wheel in wheels])
+    now = Trim(speed, zero + np.nan, zero, zero, np.zeros((5, len(wheels))), 0.0)
     laws = groups
     for _ in range(PASSES):
-        acting = system._replace(loads=(*system.loads, *road_loads(system, found, torque, speed, held=held)))
+        acting = system._replace(loads=(*system.loads, *road_loads(system, now, held=held)))
         matrices = assemble_matrices(acting, pivots)
-        previous, loads = loads, wheel_loads(acting, pivots, matrices)
-        if np.all(np.abs(loads - previous) <= SETTLED * np.max(np.abs(loads), initial=1.0)):
+        loads = wheel_loads(acting, pivots, matrices)
+        if np.all(np.abs(loads - now.load) <= SETTLED * np.max(np.abs(loads), initial=1.0)):
             break
         if groups is None:
             laws = law_groups(wheels, system.tyres, loads)
-        kappa, found, torque = rolling(system, laws or (), loads, kappa, speed, held=held)
+        slip, found, torque = rolling(system, laws or (), loads, now.slip, speed, held=held)
+        now = Trim(speed, loads, slip, (1.0 + slip) * speed / radius, found, torque)
     else:
         raise TrimError(wheels[0].name, "loads and resistance of the straight run do not settle")
     check_loads(wheels, loads)
-    radius = np.array([wheel.radius or 1.0 for wheel in wheels])
-    return Trim(speed, loads, kappa, (1.0 + kappa) * speed / radius, found, torque), laws or (), matrices
+    return now, laws or (), matrices
 
 
 def wheel_loads(system: System, pivots: Pivots, matrices: Matrices) -> Array:
@@ -107,14 +107,17 @@ def rolling(
         at = forces(laws, count, zero, kappa + 1j * STEP, loads + 0j, zero, zero + speed)
         resistance = at[3].real / arm
         if not held:
-            torque = drive_torque(system, float(np.sum(resistance)) - against(system, speed), share / arm)
+            torque = drive_torque(float(np.sum(resistance)) - against(system, speed), share / arm)
         wanted = share * torque / arm + resistance
         lacking = np.where(spinning > 0.0, wanted - at[0].real, 0.0)
         with np.errstate(divide="ignore", invalid="ignore"):
             change = np.where(spinning > 0.0, lacking / (at[0].imag / STEP), 0.0)
         if not np.all(np.isfinite(change) & (np.abs(kappa + change) < 1.0)):
             worst = int(np.argmax(np.abs(wanted) / loads))
-            what = f"the straight run asks for {wanted[worst]:.6g} N along it at {loads[worst]:.6g} N of load, more than its tyre can give"
+            what = (
+                f"the straight run asks of it {wanted[worst]:.6g} N along the road at {loads[worst]:.6g} N of load, more "
+                "than its tyre can give"
+            )
             raise TrimError(wheels[worst].axle, what)
         kappa = kappa + change
         if np.all(np.abs(change) <= SETTLED):
@@ -130,7 +133,7 @@ def against(system: System, speed: float) -> float:
     return float(drag - sum(load.force[0] for load in system.loads))
 
 
-def drive_torque(system: System, along: float, per_torque: Array) -> float:
+def drive_torque(along: float, per_torque: Array) -> float:
     """The drive torque that balances a force *along* the run [N], of which wheels give *per_torque* each [1/m]."""
     per = float(np.sum(per_torque))
     if per == 0.0 and abs(along) > 0.0:
@@ -142,8 +145,10 @@ def drive_torque(system: System, along: float, per_torque: Array) -> float:
     return 0.0 if per == 0.0 else -along / per
 
 
-def road_loads(system: System, found: Array, torque: float, speed: float, *, held: bool) -> list[Load]:
+def road_loads(system: System, trim: Trim, *, held: bool) -> list[Load]:
     """What road, drive and air do to the bodies at the trim, in axes that turn with them."""
+    _, _, _, _, found, torque = trim
+    speed = trim.speed
     loads: list[Load] = []
     zero = (0.0, 0.0, 0.0)
     total = 0.0

@@ -2,6 +2,8 @@
 
 A reaction that is turned by a displacement does work on other motions than at the trim. The tangent stiffness of
 unit reactions tells which: the transposed rows on body axes change by minus that stiffness times the displacement.
+Here translations are resolved in the axes of the moving frame, where a forward motion of the whole is the same at any
+displacement.
 """
 
 from typing import NamedTuple
@@ -12,7 +14,7 @@ from eom.assembly.algebra import square_entry
 from eom.assembly.reduction import Pivots, Reduction
 from eom.assembly.rows import row_count
 from eom.assembly.tangent import connection_tangent
-from eom.assembly.vectors import Array
+from eom.assembly.vectors import Array, skew
 from eom.vehicle.elements import System
 
 
@@ -47,9 +49,14 @@ def turned_rows(system: System, rows: tuple[int, ...], displacements: Array) -> 
     return result
 
 
-def turning(system: System, pivots: Pivots, reduction: Reduction, displacements: Array) -> Turning:
+def turning(system: System, pivots: Pivots, J: Array, reduction: Reduction, displacements: Array) -> Turning:
     """Turned rows and motions of a system without rolling constraints; see `Turning`."""
     rows = turned_rows(system, pivots.rows, displacements)
+    for k, displacement in enumerate(displacements.T):
+        for i in range(len(system.bodies)):
+            # body axes see a velocity v of the frame's axes as v - theta x v
+            own = slice(6 * i, 6 * i + 3)
+            rows[k, :, own] -= J[list(pivots.rows), own] @ skew(displacement[6 * i + 3 : 6 * i + 6])
     motions = np.zeros((displacements.shape[1], *reduction.W.shape))
     if reduction.factor is not None:
         for k, change in enumerate(rows):
