@@ -46,6 +46,11 @@ def count_of(number: float) -> float:
     return cast("float", Number(number))
 
 
+def times(count: float, number: float) -> float:
+    """A number of one wheel for several; what is not given stays nothing."""
+    return number if number is ZERO or count == 1.0 else count_of(count) * number
+
+
 def draft_wheels(draft: Draft, standing: Standing) -> None:
     """Add an axle's wheels: with a track a left and a right one, else one that stands for both."""
     check_wheels(draft, standing)
@@ -62,13 +67,13 @@ def draft_wheels(draft: Draft, standing: Standing) -> None:
 
 
 def positive(draft: Draft, standing: Standing, key: str) -> float:
-    """A number of one wheel that must be more than zero, zero where it is not given."""
+    """A number of one wheel, more than zero (brakes may do nothing); zero where it is not given."""
     value = getattr(standing.axle, key)
     if value is None:
         return ZERO
     path = standing.path(key)
     number = draft.registry.number(value, f"{standing.name}.{key}", path, standing.scope)
-    return draft.registry.not_negative(number, path, zero=False)
+    return draft.registry.not_negative(number, path, zero=key == "brake_gain")
 
 
 def half_track(draft: Draft, standing: Standing) -> float | None:
@@ -111,8 +116,8 @@ def draft_wheel(
             draft.used.index(standing.tyre_name),
             name.endswith(".right"),
             numbers["radius"],
-            count_of(count) * numbers["spin_inertia"],
-            count_of(count) * numbers["brake_gain"],
+            times(count, numbers["spin_inertia"]),
+            times(count, numbers["brake_gain"]),
             count_of(count / (2.0 * draft.driven)) if axle.driven else ZERO,
             f"{standing.name}.steer" if axle.steered else "",
             support,
@@ -167,7 +172,7 @@ def check_wheels(draft: Draft, standing: Standing) -> None:
         what = f"the load of {who} is not known: give its group a 'support', or the tyre its 'vertical_stiffness'"
         report(standing.path("tyre"), what)
     check_track(draft, standing)
-    if tyre.cornering is not None:
+    if tyre.cornering is not None and tyre.nonlinear is None:
         cornering = tyre_numbers(draft, standing.tyre_name, tyre).cornering
         draft.registry.not_negative(cast("float", cornering), ("tyres", standing.tyre_name, "cornering"))
 
