@@ -1,4 +1,4 @@
-"""Aerodynamic connectors: derivatives about the trim, wings, control surfaces.
+"""Aerodynamic connectors: drag, derivatives about the trim, wings, control surfaces.
 
 Forces and moments refer to x forward, y left, z up at their place, and to velocities in body axes.
 """
@@ -28,6 +28,18 @@ class Aero(Strict):
     @model_validator(mode="after")
     def _acts(self) -> Self:
         return acts(self, ("damping", "added_mass"))
+
+
+class Drag(Strict):
+    """Air's resistance along x: half of density times area times coefficient times the square of the speed."""
+
+    type: Literal["drag"]
+    body: Identifier
+    at: Place
+    area: Area
+    coefficient: Plain
+    density: Density | None = None
+    mirror: Flag = False
 
 
 class Flow(Strict):

@@ -4,7 +4,7 @@ from typing import Annotated, Literal
 
 from pydantic import BeforeValidator, Field, field_validator
 
-from eom.vehicle.aerodynamics import Aero, ControlSurface, Wing
+from eom.vehicle.aerodynamics import Aero, ControlSurface, Drag, Wing
 from eom.vehicle.connector import LineConnector, PointConnector
 from eom.vehicle.parts import Flag, Identifier, Strict, not_a_flag
 from eom.vehicle.quantity import Axis, Damping, Length, Place
@@ -101,6 +101,7 @@ Connector = Annotated[
     | SlipDamper
     | TyreConnector
     | Aero
+    | Drag
     | Wing
     | ControlSurface,
     Field(discriminator="type"),

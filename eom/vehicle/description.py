@@ -1,6 +1,6 @@
 """The whole of a vehicle file, as the schema that `eom schema` writes."""
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import Discriminator, Field, Tag
 
@@ -15,11 +15,11 @@ from eom.vehicle.parts import (
     Sensor,
     Strict,
     Trim,
-    Tyre,
     as_mapping,
 )
-from eom.vehicle.quantity import Acceleration, Any_
+from eom.vehicle.quantity import Acceleration, Any_, Time
 from eom.vehicle.train import Coupling, Template, Unit, UnitUse
+from eom.vehicle.tyres import AnyTyre
 
 Vector3 = tuple[Acceleration, Acceleration, Acceleration]
 AnyUnit = Annotated[
@@ -39,6 +39,19 @@ Gravity = Annotated[
 MAX_UNITS = 20
 
 
+class Drive(Strict):
+    """How drive torque reaches the driven wheels: equally, or with ``locked`` at equal speeds; ``lag`` [s]."""
+
+    differential: Literal["open", "locked"] = "open"
+    lag: Time | None = None
+
+
+class Brakes(Strict):
+    """How brake pressures build up."""
+
+    lag: Time | None = None
+
+
 class Description(Strict):
     """A mechanical system, above all a road vehicle with trailers."""
 
@@ -52,7 +65,9 @@ class Description(Strict):
     loads: dict[Identifier, Load] = Field(default_factory=dict, max_length=MAX_PARTS)
     actuators: dict[Identifier, Actuator] = Field(default_factory=dict, max_length=MAX_PARTS)
     sensors: dict[Identifier, Sensor] = Field(default_factory=dict, max_length=MAX_PARTS)
-    tyres: dict[Identifier, Tyre] = Field(default_factory=dict, max_length=MAX_PARTS)
+    tyres: dict[Identifier, AnyTyre] = Field(default_factory=dict, max_length=MAX_PARTS)
     templates: dict[Identifier, Template] = Field(default_factory=dict, max_length=MAX_PARTS)
     units: dict[Identifier, AnyUnit] = Field(default_factory=dict, max_length=MAX_UNITS)
     couplings: dict[Identifier, Coupling] = Field(default_factory=dict, max_length=MAX_PARTS)
+    drive: Drive | None = None
+    brakes: Brakes | None = None

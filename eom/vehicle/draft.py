@@ -1,6 +1,7 @@
 """A draft: a `System` under construction, whose numbers are still expressions of live parameters."""
 
 from dataclasses import dataclass, field
+from pathlib import Path as FilePath
 from typing import cast
 
 from eom.vehicle.elements import (
@@ -10,6 +11,8 @@ from eom.vehicle.elements import (
     Bushing,
     Connection,
     Constraint,
+    Drag,
+    Drive,
     Elastic,
     Input,
     Load,
@@ -17,7 +20,9 @@ from eom.vehicle.elements import (
     Slip,
     System,
     Triangle,
+    TyreLaw,
     Vector,
+    Wheel,
 )
 from eom.vehicle.expression import Expression, Number
 from eom.vehicle.registry import Registry
@@ -30,6 +35,7 @@ ORIGIN: Vector = (ZERO, ZERO, ZERO)
 X: Vector = (ONE, ZERO, ZERO)
 Y: Vector = (ZERO, ONE, ZERO)
 Z: Vector = (ZERO, ZERO, ONE)
+NO_DRIVE = Drive(ZERO, ZERO, ())
 Scope = dict[str, Expression]
 
 
@@ -65,6 +71,16 @@ class Draft:
         none.
     patches : set
         Numbers of the contact patches of tyres with a relaxation length.
+    contacts : list
+        Wheels of axles.
+    laws : dict
+        Law of every tyre by its name; ``used`` names those that wheels have, in order.
+    rich : bool
+        Whether the axles' tyres are wheels alone, and no linear slip.
+    driven : int
+        Number of driven axles.
+    folder : Path
+        Where the names of files start from.
     """
 
     registry: Registry
@@ -90,6 +106,14 @@ class Draft:
     zeros: list[tuple[Expression, Path, str]] = field(default_factory=list)
     wheels: dict[str, tuple[int, float | None]] = field(default_factory=dict)
     patches: set[int] = field(default_factory=set)
+    contacts: list[Wheel] = field(default_factory=list)
+    laws: dict[str, TyreLaw] = field(default_factory=dict)
+    used: list[str] = field(default_factory=list)
+    drags: list[Drag] = field(default_factory=list)
+    drive: Drive = NO_DRIVE
+    rich: bool = False
+    driven: int = 0
+    folder: FilePath = FilePath()
 
     def system(self) -> System:
         """The finished draft."""
@@ -106,6 +130,10 @@ class Draft:
             tuple(self.bushings),
             tuple(self.beams),
             tuple(self.triangles),
+            tuple(self.contacts),
+            tuple(self.laws[name] for name in self.used),
+            tuple(self.drags),
+            self.drive,
         )
 
     def claim(self, name: str, path: Path) -> None:

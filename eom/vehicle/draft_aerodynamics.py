@@ -1,16 +1,19 @@
-"""Aerodynamic connectors into a draft: slip elements in all six directions, deflections as inputs."""
+"""Aerodynamic connectors into a draft: slip elements, the loads of drag, deflections as inputs."""
 
 from typing import cast
 
-from eom.vehicle.aerodynamics import Aero, ControlSurface, Flow, Wing
-from eom.vehicle.draft import ZERO, Draft, Site
+from eom.vehicle.aerodynamics import Aero, ControlSurface, Drag, Flow, Wing
+from eom.vehicle.draft import ORIGIN, ZERO, Draft, Site, X
 from eom.vehicle.draft_springs import Rows, matrix, number
-from eom.vehicle.elements import GROUND, Input, Slip, Vector
+from eom.vehicle.elements import GROUND, Input, Load, Slip, Vector
+from eom.vehicle.elements import Drag as DragElement
 from eom.vehicle.expression import Number
 from eom.vehicle.parts import Strict
+from eom.vehicle.quantity import Quantity
 from eom.vehicle.source import Path
 
-HALF = cast("float", Number(0.5))
+HALF, TWO = cast("float", Number(0.5)), cast("float", Number(2.0))
+AIR = Quantity(Number(1.2), "kg/m^3")
 LETTERS = {"x": 0, "y": 1, "z": 2, "l": 3, "m": 4, "n": 5, "u": 0, "v": 1, "w": 2, "p": 3, "q": 4, "r": 5}
 Where = tuple[int, Vector, Path, Site]
 
@@ -33,6 +36,22 @@ def draft_aerodynamics(draft: Draft, name: str, item: Aero | Wing | ControlSurfa
         case ControlSurface():
             gain = deflection_gain(draft, name, item, path, site)
             draft.inputs.append(Input(f"{name}.deflection", "rad", connection, gain, (ZERO,) * 6))
+
+
+def draft_drag(draft: Draft, name: str, item: Drag, where: Where) -> None:
+    """Add air's resistance: the load at the trim, which turns with the body, and its slope by speed."""
+    body, place, path, site = where
+    registry = draft.registry
+    area, coefficient, density = (
+        registry.not_negative(registry.number(value, f"{name}.{key}", (*path, key), site.scope), (*path, key))
+        for key, value in (("area", item.area), ("coefficient", item.coefficient), ("density", item.density or AIR))
+    )
+    factor = HALF * density * area * coefficient
+    draft.drags.append(DragElement(name, body, place, factor))
+    force = -(factor * draft.speed * draft.speed)
+    draft.loads.append(Load(name, body, place, (force, ZERO, ZERO), ORIGIN, body))
+    connection = draft.connection(name, (body, GROUND), place, forces=1, force_axis=X)
+    draft.slip.append(Slip(connection, ((TWO * factor * draft.speed,),), moving=True))
 
 
 def stream(draft: Draft, name: str, item: Flow, path: Path, site: Site) -> tuple[float, float, float, float]:

@@ -1,7 +1,6 @@
 """Connectors into a draft: each type to where it belongs; joints, supports, slip dampers."""
 
-from eom.vehicle import parts
-from eom.vehicle.aerodynamics import Aero, ControlSurface, Wing
+from eom.vehicle.aerodynamics import Aero, ControlSurface, Drag, Wing
 from eom.vehicle.connectors import (
     Connector,
     Link,
@@ -13,7 +12,7 @@ from eom.vehicle.connectors import (
     TyreConnector,
 )
 from eom.vehicle.draft import ZERO, Draft, Site, Z, add, carried_directions
-from eom.vehicle.draft_aerodynamics import draft_aerodynamics
+from eom.vehicle.draft_aerodynamics import draft_aerodynamics, draft_drag
 from eom.vehicle.draft_places import line_connection, point_connection
 from eom.vehicle.draft_springs import draft_bushing, draft_flex_point, draft_spring
 from eom.vehicle.draft_structures import draft_beam, draft_triangle
@@ -22,14 +21,13 @@ from eom.vehicle.elements import GROUND, Constraint, Slip, Vector
 from eom.vehicle.source import Path
 from eom.vehicle.springs import Bushing, FlexPoint, Spring, TorsionSpring
 from eom.vehicle.structures import Beam, Triangle
+from eom.vehicle.tyres import Tyre
 
 ElasticConnector = FlexPoint | Spring | TorsionSpring | Bushing | Beam | Triangle
-StandingConnector = Support | SlipDamper | TyreConnector | Aero | Wing | ControlSurface
+StandingConnector = Support | SlipDamper | TyreConnector | Aero | Drag | Wing | ControlSurface
 
 
-def draft_connector(
-    draft: Draft, tyres: dict[str, parts.Tyre], name: str, item: Connector, path: Path, site: Site
-) -> None:
+def draft_connector(draft: Draft, tyres: dict[str, Tyre], name: str, item: Connector, path: Path, site: Site) -> None:
     """Add a connector of any type."""
     draft.claim(name, path)
     match item:
@@ -40,7 +38,7 @@ def draft_connector(
         case Link() | TorsionLink():
             locked = line_connection(draft, name, item, path, site, twist=isinstance(item, TorsionLink))
             draft.constraints.append(Constraint(locked))
-        case Support() | SlipDamper() | TyreConnector() | Aero() | Wing() | ControlSurface():
+        case Support() | SlipDamper() | TyreConnector() | Aero() | Drag() | Wing() | ControlSurface():
             draft_standing(draft, tyres, name, item, path, site)
         case _:
             draft_elastic(draft, name, item, path, site)
@@ -62,7 +60,7 @@ def draft_elastic(draft: Draft, name: str, item: ElasticConnector, path: Path, s
 
 
 def draft_standing(
-    draft: Draft, tyres: dict[str, parts.Tyre], name: str, item: StandingConnector, path: Path, site: Site
+    draft: Draft, tyres: dict[str, Tyre], name: str, item: StandingConnector, path: Path, site: Site
 ) -> None:
     """Add a connector between one body and the ground or the air."""
     place, body = standing(draft, name, item, path, site)
@@ -84,6 +82,8 @@ def draft_standing(
             draft.wheels[name] = (body, radius)
             if tyre is not None:
                 draft_tyre(draft, name, (body, item.tyre, tyre), place, item.wheels, path, steered=item.steered)
+        case Drag():
+            draft_drag(draft, name, item, (body, place, path, site))
         case Aero() | Wing() | ControlSurface():
             draft_aerodynamics(draft, name, item, (body, place, path, site))
 

@@ -1,33 +1,36 @@
 """A whole description into a draft."""
 
+from pathlib import Path as FilePath
 from typing import Any
 
 from eom.vehicle.description import Description
 from eom.vehicle.draft import ORIGIN, ZERO, Draft, Site, X
 from eom.vehicle.draft_connectors import draft_connector
+from eom.vehicle.draft_drive import draft_drive, draft_grade
+from eom.vehicle.draft_laws import draft_law
 from eom.vehicle.draft_parts import declare_parameters, draft_body, draft_load
 from eom.vehicle.draft_signals import draft_actuator, draft_sensor
 from eom.vehicle.draft_train import draft_train
-from eom.vehicle.draft_tyres import tyre_numbers
 from eom.vehicle.elements import GROUND, Constraint
 from eom.vehicle.mirror import with_mirror_images
 from eom.vehicle.registry import Registry
 
 
-def make_draft(description: Description, broken: frozenset[str]) -> Draft:
-    """The draft of a description; mistakes are left in its registry."""
+def make_draft(description: Description, broken: frozenset[str], folder: FilePath) -> Draft:
+    """The draft of a description whose names of files start from a folder; mistakes are left in its registry."""
     registry = Registry(broken=set(broken))
     declare_parameters(registry, description)
     trim = description.trim
     speed = ZERO if trim is None else registry.number(trim.speed, "trim.speed", ("trim", "speed"))
-    draft = Draft(registry, speed)
+    draft = Draft(registry, speed, folder=folder)
     draft.gravity = gravity(registry, description)
     for name, tyre in description.tyres.items():
         draft.claim(name, ("tyres", name))
-        tyre_numbers(draft, name, tyre)
+        draft_law(draft, name, tyre)
     for name, (written, body) in mirrored(draft, description, "bodies").items():
         draft_body(draft, name, body, ("bodies", written), Site())
     draft_train(draft, description)
+    draft_drive(draft, description)
     for name, (written, connector) in mirrored(draft, description, "connectors").items():
         draft_connector(draft, dict(description.tyres), name, connector, ("connectors", written), Site())
     for name, (written, item) in mirrored(draft, description, "loads").items():
@@ -36,6 +39,7 @@ def make_draft(description: Description, broken: frozenset[str]) -> Draft:
         draft_actuator(draft, name, actuator, ("actuators", written))
     for name, (written, sensor) in mirrored(draft, description, "sensors").items():
         draft_sensor(draft, name, sensor, ("sensors", written))
+    draft_grade(draft, description)
     if trim is not None and trim.hold and draft.bodies:
         lead = draft.connection("trim.hold", (0, GROUND), draft.bodies[0].centre, forces=1, force_axis=X)
         draft.constraints.append(Constraint(lead, moving=True))

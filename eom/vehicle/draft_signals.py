@@ -149,7 +149,7 @@ def draft_sensor(draft: Draft, name: str, item: parts.Sensor, path: Path) -> Non
 
 def feedthrough(draft: Draft, name: str, item: parts.Sensor, path: Path) -> tuple[tuple[str, float], ...]:
     """The sensor's direct gains, their inputs checked."""
-    known = [signal.name for signal in draft.inputs]
+    known = [signal.name for signal in draft.inputs] + wheel_inputs(draft)
     result = []
     for signal, gain in item.feedthrough.items():
         here = (*path, "feedthrough", signal)
@@ -158,3 +158,12 @@ def feedthrough(draft: Draft, name: str, item: parts.Sensor, path: Path) -> tupl
         elif not draft.registry.broken:
             draft.registry.report(here, f"unknown input '{signal}'{did_you_mean(signal, known)}")
     return tuple(result)
+
+
+def wheel_inputs(draft: Draft) -> list[str]:
+    """Names of the inputs that wheels have where tyres are no linear slip: steer angles, brake pressures, drive."""
+    if not draft.rich:
+        return []
+    steers = dict.fromkeys(wheel.steer for wheel in draft.contacts if wheel.steer)
+    pressures = [f"{wheel.name}.brake_pressure" for wheel in draft.contacts if wheel.brake_gain is not ZERO]
+    return [*steers, *pressures, *(["drive_torque"] if draft.driven else [])]

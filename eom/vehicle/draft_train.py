@@ -13,16 +13,16 @@ from eom.vehicle.draft import (
     Site,
     UnitDraft,
     X,
-    Y,
     Z,
     add,
     carried_directions,
     subtract,
 )
-from eom.vehicle.draft_connectors import draft_connector, draft_support
+from eom.vehicle.draft_axles import draft_axle, draft_axle_group, roll_axis_height
+from eom.vehicle.draft_connectors import draft_connector
+from eom.vehicle.draft_drive import count_wheels
 from eom.vehicle.draft_parts import draft_body
-from eom.vehicle.draft_signals import along, draft_train_outputs
-from eom.vehicle.draft_tyres import draft_tyre, find_tyre
+from eom.vehicle.draft_signals import draft_train_outputs
 from eom.vehicle.elements import GROUND, Connection, Constraint, Elastic, Input, Vector
 from eom.vehicle.expression import Expression, Name
 from eom.vehicle.mirror import with_mirror_images
@@ -43,6 +43,7 @@ def draft_train(draft: Draft, description: Description) -> None:
         draft_unit_bodies(draft, name, unit, UnitDraft(name, {}, origin, scope, path))
     for name, coupling in description.couplings.items():
         draft_coupling(draft, name, coupling, places)
+    count_wheels(draft, description, [(unit, scope) for unit, scope, _ in units.values()])
     rolling: list[str] = []
     fronts: list[Connection] = []
     for unit_draft, (unit, _, _) in zip(draft.units, units.values(), strict=True):
@@ -74,7 +75,8 @@ def check_templates(draft: Draft, description: Description) -> None:
             parameters=dict(draft.registry.parameters),
             broken={*draft.registry.broken, *template.needs},
         )
-        alone = Draft(registry, draft.speed)
+        alone = Draft(registry, draft.speed, folder=draft.folder)
+        count_wheels(alone, description, [(template, {})])
         unit_draft = UnitDraft(name, {}, ORIGIN, {}, ("templates", name))
         draft_unit_bodies(alone, name, template, unit_draft)
         draft_unit(alone, description, unit_draft, template, [])
@@ -180,71 +182,6 @@ def draft_unit(
         draft.body(group.body, (*path, "axle_groups", key, "body"), unit_draft.bodies)
     for key in unit.axles:
         draft_axle(draft, description, unit_draft, unit, key, fronts)
-
-
-def draft_axle_group(draft: Draft, unit_draft: UnitDraft, key: str, unit: Unit, path: Path) -> None:
-    """Add a group's vertical support and the roll stiffness of its tyres."""
-    registry, scope = draft.registry, unit_draft.scope
-    group, name = unit.axle_groups[key], f"{unit_draft.name}_{key}"
-    draft.claim(name, path)
-    body = unit_draft.bodies.get(group.body, GROUND)
-    if group.support is not None:
-        place = registry.place(group.support.at, f"{name}.support.at", (*path, "support", "at"), scope)
-        draft_support(draft, name, body, add(unit_draft.origin, place), ("z",))
-    if group.roll_stiffness is not None:
-        stiffness = registry.number(group.roll_stiffness, f"{name}.roll_stiffness", (*path, "roll_stiffness"), scope)
-        centre = draft.bodies[body].centre if body != GROUND else ORIGIN
-        connection = draft.connection(f"{name}.tyres", (body, GROUND), centre, moments=1, moment_axis=X)
-        draft.elastic.append(Elastic(connection, (ZERO, stiffness), (ZERO, ZERO)))
-
-
-def draft_axle(
-    draft: Draft,
-    description: Description,
-    unit_draft: UnitDraft,
-    unit: Unit,
-    key: str,
-    fronts: list[Connection],
-) -> None:
-    """Add an axle's tyres and steer input; axles are numbered along the train."""
-    registry, scope = draft.registry, unit_draft.scope
-    axle, path = unit.axles[key], (*unit_draft.path, "axles", key)
-    name = f"axle_{len(draft.axles) + 1}"
-    draft.claim(name, path)
-    draft.axles[name] = f"{unit_draft.name}_{axle.group}"
-    group = unit.axle_groups.get(axle.group)
-    if group is None:
-        if not registry.excuses(axle.group):
-            known = unit.axle_groups
-            registry.report((*path, "group"), f"unknown axle group '{axle.group}'{did_you_mean(axle.group, known)}")
-        return
-    body = unit_draft.bodies.get(group.body, GROUND)
-    x = registry.number(axle.x, f"{name}.x", (*path, "x"), scope)
-    contact = add(unit_draft.origin, (x, ZERO, ZERO))
-    # a template's argument may name the tyre
-    registry.used.update({axle.tyre} & set(scope))
-    tyre_name = getattr(scope.get(axle.tyre), "name", axle.tyre)
-    tyre = find_tyre(draft, description.tyres, tyre_name, (*path, "tyre"))
-    if tyre is not None and body != GROUND:
-        if group.support is not None and tyre.vertical_stiffness is not None:
-            what = f"the tyre '{tyre_name}' carries vertically, and so does the 'support' of its group: keep one"
-            registry.report((*path, "tyre"), what)
-        draft_tyre(draft, name, (body, tyre_name, tyre), contact, 2, path, steered=axle.steered)
-        height = next(
-            (
-                roll_axis_height(draft, unit_draft, item_key, item)
-                for item_key, item in unit.suspensions.items()
-                if item.between[1] == group.body
-            ),
-            ZERO,
-        )
-        fronts.append(along(draft, body, Y, add(contact, (ZERO, ZERO, height))))
-
-
-def roll_axis_height(draft: Draft, unit_draft: UnitDraft, key: str, item: Suspension) -> float:
-    """Height of a suspension's roll axis above the ground."""
-    name, path = f"{unit_draft.name}_{key}.roll_axis.height", (*unit_draft.path, "suspensions", key)
-    return draft.registry.number(item.roll_axis.height, name, (*path, "roll_axis", "height"), unit_draft.scope)
 
 
 def suspension_bodies(draft: Draft, unit_draft: UnitDraft, key: str, item: Suspension) -> tuple[int, int]:

@@ -2,15 +2,17 @@
 
 from typing import NamedTuple, cast
 
-from eom.vehicle import parts
 from eom.vehicle.draft import ORIGIN, ZERO, Draft, X, Y, Z
 from eom.vehicle.elements import GROUND, Body, Constraint, Elastic, Input, Slip, Vector
 from eom.vehicle.expression import Number
 from eom.vehicle.source import Path
+from eom.vehicle.tyres import Tyre
 from eom.vehicle.validate import did_you_mean
 
+HALF = cast("float", Number(0.5))
 
-def find_tyre(draft: Draft, tyres: dict[str, parts.Tyre], name: str, path: Path) -> parts.Tyre | None:
+
+def find_tyre(draft: Draft, tyres: dict[str, Tyre], name: str, path: Path) -> Tyre | None:
     """The tyre of that name; reported if there is none."""
     if name in tyres:
         return tyres[name]
@@ -22,16 +24,17 @@ def find_tyre(draft: Draft, tyres: dict[str, parts.Tyre], name: str, path: Path)
 class TyreNumbers(NamedTuple):
     """A tyre's live numbers; None for what it does not have."""
 
-    cornering: float
+    cornering: float | None
     camber: float | None
     trail: float | None
     relaxation: float | None
     longitudinal: float | None
     vertical_stiffness: float | None
     vertical_damping: float | None
+    rolling_resistance: float | None
 
 
-def tyre_numbers(draft: Draft, name: str, tyre: parts.Tyre) -> TyreNumbers:
+def tyre_numbers(draft: Draft, name: str, tyre: Tyre) -> TyreNumbers:
     """The numbers of a tyre."""
     found: dict[str, float | None] = dict.fromkeys(TyreNumbers._fields)
     for key in TyreNumbers._fields:
@@ -43,13 +46,13 @@ def tyre_numbers(draft: Draft, name: str, tyre: parts.Tyre) -> TyreNumbers:
             draft.registry.not_negative(number, path, zero=key != "relaxation")
         if key == "cornering" and tyre.relaxation is not None:
             draft.registry.not_negative(number, path, zero=False)
-    return TyreNumbers(**cast("dict[str, float]", found))
+    return TyreNumbers(**found)
 
 
 def draft_tyre(
     draft: Draft,
     name: str,
-    owner: tuple[int, str, parts.Tyre],
+    owner: tuple[int, str, Tyre],
     place: Vector,
     wheels: int,
     path: Path,
@@ -65,6 +68,10 @@ def draft_tyre(
     body, tyre_name, tyre = owner
     numbers = tyre_numbers(draft, tyre_name, tyre)
     count = cast("float", Number(float(wheels if tyre.per == "wheel" else wheels / 2)))
+    if numbers.cornering is None:
+        what = f"the tyre '{tyre_name}' has no 'cornering', which linear wheels need"
+        draft.registry.report((*path, "tyre"), what)
+        return
     C = count * numbers.cornering
     carrier = body
     if numbers.relaxation is not None:

@@ -94,7 +94,7 @@ def load(path: str | FilePath, /, **overrides: str | float) -> Vehicle:
 
 
 def loads(text: str | bytes, file: str = "<text>", /, **overrides: str | float) -> Vehicle:
-    """The vehicle that a text describes; see `load`."""
+    """The vehicle that a text describes; see `load`. Names of files in it start from the folder of *file*."""
     try:
         raw = text.encode() if isinstance(text, str) else text
         source = read_source(raw.decode(), file)
@@ -105,7 +105,7 @@ def loads(text: str | bytes, file: str = "<text>", /, **overrides: str | float) 
     # without a whole section every reference into it would be one more mistake
     if description is None or broken & {"parameters", *COLLECTIONS}:
         raise DescriptionError(source.mistakes)
-    draft = make_draft(description, broken)
+    draft = make_draft(description, broken, FilePath(file).parent)
     for where, what in draft.registry.mistakes:
         source.report(where, what)
     if not (draft.bodies or source.mistakes):

@@ -1,4 +1,4 @@
-"""Parts of a description that stand alone: parameters, trim, bodies, loads, signals, tyres."""
+"""Parts of a description that stand alone: parameters, trim, bodies, loads, signals."""
 
 from typing import Annotated, Literal, Self
 
@@ -8,16 +8,13 @@ from eom.vehicle.quantity import (
     AngularSpeed,
     Any_,
     Axis,
-    CorneringStiffness,
-    Damping,
     Force,
     Inertia,
-    Length,
     Mass,
     Moment,
     Place,
+    Plain,
     Speed,
-    Stiffness,
     describe,
 )
 
@@ -50,10 +47,14 @@ class Parameter(Strict):
 
 
 class Trim(Strict):
-    """The steady motion: every body moves along +x at one speed; ``hold`` keeps the lead body's speed."""
+    """The steady motion: every body moves along +x at one speed; ``hold`` keeps the lead body's speed.
+
+    ``grade`` is the road's rise per run.
+    """
 
     speed: Speed
     hold: Flag = False
+    grade: Plain | None = None
 
 
 class InertiaProducts(Strict):
@@ -170,20 +171,3 @@ class Sensor(Signal):
             message = "a position is measured in the inertial frame: body axes have no fixed origin"
             raise ValueError(message)
         return self
-
-
-class Tyre(Strict):
-    """A linear tyre: stiffness of each wheel, or of the axle's two wheels together.
-
-    ``longitudinal`` is its force per unit of longitudinal slip; ``relaxation`` the length over which its side force
-    builds up. ``camber`` is its side force per angle of the wheel's lean.
-    """
-
-    per: Literal["wheel", "axle"]
-    cornering: CorneringStiffness
-    camber: CorneringStiffness | None = None
-    trail: Length | None = None
-    relaxation: Length | None = None
-    longitudinal: Force | None = None
-    vertical_stiffness: Stiffness | None = None
-    vertical_damping: Damping | None = None

@@ -123,6 +123,8 @@ Pressure = Annotated[Quantity, Slot("Pa")]
 Area = Annotated[Quantity, Slot("m^2")]
 Density = Annotated[Quantity, Slot("kg/m^3")]
 CorneringStiffness = Annotated[Quantity, Slot("N/rad")]
+Time = Annotated[Quantity, Slot("s")]
+TorquePerPressure = Annotated[Quantity, Slot("N*m/Pa")]
 
 Place = tuple[Length, Length, Length]
 Axis = tuple[Plain, Plain, Plain]

@@ -4,8 +4,9 @@ from typing import Literal, Self
 
 from pydantic import Field, model_validator
 
+from eom.vehicle.axles import AnyAxle
 from eom.vehicle.connectors import Carried, Connector
-from eom.vehicle.parts import Body, Flag, Identifier, Strict
+from eom.vehicle.parts import Body, Identifier, Strict
 from eom.vehicle.quantity import AngularDamping, AngularStiffness, Any_, Length, Place, Quantity
 
 # a unit's mass and centre are sums over its bodies, which a deep expression would make slow
@@ -40,20 +41,15 @@ class GroupSupport(Strict):
 
 
 class AxleGroup(Strict):
-    """Axles that share a body; they may carry it vertically and, by their tyres, in roll."""
+    """Axles that share a body; they may carry it vertically and, by their tyres, in roll.
+
+    ``track`` is that of axles that do not give their own.
+    """
 
     body: Identifier
     support: GroupSupport | None = None
     roll_stiffness: AngularStiffness | None = None
-
-
-class Axle(Strict):
-    """Two wheels on the ground at ``x`` in the unit's frame."""
-
-    group: Identifier
-    x: Length
-    tyre: Identifier
-    steered: Flag = False
+    track: Length | None = None
 
 
 class Unit(Strict):
@@ -62,7 +58,7 @@ class Unit(Strict):
     bodies: dict[Identifier, Body] = Field(max_length=MAX_UNIT_PARTS)
     suspensions: dict[Identifier, Suspension] = Field(default_factory=dict, max_length=MAX_UNIT_PARTS)
     axle_groups: dict[Identifier, AxleGroup] = Field(default_factory=dict, max_length=MAX_UNIT_PARTS)
-    axles: dict[Identifier, Axle] = Field(default_factory=dict, max_length=MAX_UNIT_PARTS)
+    axles: dict[Identifier, AnyAxle] = Field(default_factory=dict, max_length=MAX_UNIT_PARTS)
     connectors: dict[Identifier, Connector] = Field(default_factory=dict, max_length=MAX_UNIT_PARTS)
 
 

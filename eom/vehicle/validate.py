@@ -78,8 +78,8 @@ def file_path(location: tuple[str | int, ...], data: object, kind: str) -> Path:
     here: Any = data
     told = False
     for k, step in enumerate(location):
-        if not told and isinstance(here, dict) and here.get("type") == step:
-            # a connector's type stands before the key in it
+        if not told and isinstance(here, dict) and step in {here.get("type"), here.get("kind")}:
+            # the type of a connector, the kind of a law stand before the key in it
             told = True
             continue
         if contains(here, step):
@@ -98,7 +98,24 @@ def contains(here: object, step: str | int) -> bool:
 
 
 # what pydantic puts into locations for the alternatives of a union
-ALTERNATIVES = frozenset({"[key]", "unit", "use", "down", "vector", "products", "tensor", "described", "plain"})
+ALTERNATIVES = frozenset(
+    {
+        "[key]",
+        "unit",
+        "use",
+        "down",
+        "vector",
+        "products",
+        "tensor",
+        "described",
+        "plain",
+        "on_group",
+        "on_bodies",
+        "fitted",
+        "from_file",
+        "like",
+    }
+)
 
 
 def sentence(data: dict[str, Any], path: Path, item: ErrorDetails) -> tuple[Path, str]:
@@ -115,10 +132,11 @@ def sentence(data: dict[str, Any], path: Path, item: ErrorDetails) -> tuple[Path
 
 
 def unknown_type(context: dict[str, Any], _: str) -> str:
-    """The sentence for a connector of a type that does not exist."""
+    """The sentence for a connector of a type, or a law of a kind, that does not exist."""
     known = context["expected_tags"].replace("'", "").split(", ")
     guess = did_you_mean(context["tag"], known)
-    return f"unknown type '{shorten(context['tag'])}', expected one of {', '.join(known)}{guess}"
+    word = context["discriminator"].strip("'")
+    return f"unknown {word} '{shorten(context['tag'])}', expected one of {', '.join(known)}{guess}"
 
 
 def wrong_length(context: dict[str, Any], _: str) -> str:
@@ -138,7 +156,7 @@ SENTENCES: dict[str, Callable[[dict[str, Any], str], str]] = {
     "string_too_long": lambda context, _: f"is longer than {context['max_length']} characters",
     "too_long": wrong_length,
     "too_short": wrong_length,
-    "union_tag_not_found": lambda _, __: "needs 'type'",
+    "union_tag_not_found": lambda context, _: f"needs {context['discriminator']}",
     "union_tag_invalid": unknown_type,
     "dict_type": lambda _, came: f"expected a mapping of keys, got {came}",
     "model_type": lambda _, came: f"expected a mapping of keys, got {came}",
