@@ -54,7 +54,7 @@ def slopes_at_trim(prepared: Prepared) -> Array:
     result = []
     for k in range(len(at)):
         stepped = [value + (1j * STEP if j == k else 0.0) for j, value in enumerate(at)]
-        result.append(forces(model.laws, model.contact.count, *stepped).imag / STEP)
+        result.append(forces(model.laws, model.contact.number, *stepped).imag / STEP)
     return np.array(result)
 
 
@@ -77,7 +77,7 @@ def close(prepared: Prepared) -> Closed:
     alpha = kinematic + 0.0
     alpha[c.relaxing] = side_
     turned = (1.0 + trim.slip)[:, np.newaxis]
-    spinning = np.zeros((len(c.count), 1))
+    spinning = np.zeros((len(c.number), 1))
     spinning[c.spinning] = 1.0
     kappa = spinning * (c.radius[:, np.newaxis] * omega - turned * (c.rows[FORWARD] @ w)) / U
     load = c.share @ support_ + (c.rolled + c.sprung) @ p + c.damped @ dp
@@ -139,9 +139,7 @@ def level(prepared: Prepared, p: Array) -> Array:
 
 
 def from_frame(prepared: Prepared, known: int) -> tuple[Array, Array]:
-    """The kernel's coordinates by the frame's place and what is counted from it, over all columns; and the reverse
-    for the rates of the states.
-    """
+    """The kernel's coordinates by the model's, over all columns, and the reverse for rates of the states."""
     independent = prepared.matrices.reduction.independent
     lead = prepared.model.body.lead
     own = np.delete(np.arange(len(independent)), lead)
@@ -155,4 +153,4 @@ def from_frame(prepared: Prepared, known: int) -> tuple[Array, Array]:
     counted[own[:, np.newaxis], np.arange(len(lead))] = frame_motion(prepared.system)[independent[own]]
     counted[own, len(lead) + np.arange(len(own))] = 1.0
     states = sum(sizes(prepared.model))
-    return counted, np.linalg.inv(counted[:states, :states])
+    return counted, np.asarray(np.linalg.inv(counted[:states, :states]), dtype=float)

@@ -14,7 +14,7 @@ from eom.splice.multibody import row_of
 from eom.vehicle.elements import GROUND, Connection, Elastic, System, Wheel
 
 FORWARD, LATERAL, ROLL, PITCH, YAW, VERTICAL = range(6)
-"""What a wheel's force rows are for; each measures a velocity and, transposed, distributes the force conjugate to it."""
+"""What a wheel's rows are for; each measures a velocity and, transposed, distributes the force conjugate to it."""
 
 
 class Contact(NamedTuple):
@@ -27,7 +27,7 @@ class Contact(NamedTuple):
         left on the ground, roll, pitch and yaw rates, upward.
     lean : Array
         Camber angles by displacements p, (w, N).
-    count, radius, lever : Array
+    number, radius, lever : Array
         Wheels that it stands for, rolling radius [m] (1 where none is given), place to the left of its support [m].
     nominal, base : Array
         Loads at the trim, and the part of them that comes from no support [N], (w,).
@@ -36,7 +36,7 @@ class Contact(NamedTuple):
     share : Array
         Loads by the supports' reactions, (w, s).
     most, alone : Array
-        Share of its support's load that it carries when its partner lifts off, (w, s); without a support infinite, (w,).
+        Share of its support's load that it carries when its partner lifts off, (w, s); infinite without one, (w,).
     rolled, sprung, damped : Array
         Loads by p (of rolling tyres), by p and by dp/dt of their own springs, (w, N).
     spinning : NDArray
@@ -49,7 +49,7 @@ class Contact(NamedTuple):
 
     rows: Array
     lean: Array
-    count: Array
+    number: Array
     radius: Array
     lever: Array
     nominal: Array
@@ -107,7 +107,7 @@ def contact(system: System, pivots: Pivots, loads: Array, reactions: Array) -> C
     return Contact(
         rows=np.array([wheel_rows(system, kind) for kind in range(6)]),
         lean=roll,
-        count=np.array([wheel.count for wheel in wheels]),
+        number=np.array([wheel.number for wheel in wheels]),
         radius=np.array([wheel.radius or 1.0 for wheel in wheels]),
         lever=np.array([wheel.place[1] - places[wheel.support][1] if wheel.support else 0.0 for wheel in wheels]),
         nominal=loads,

@@ -62,8 +62,10 @@ class Model(NamedTuple):
 
 
 class State(NamedTuple):
-    """Parts of the state: place of the frame (x, y, yaw), displacements, velocities, spins, lagging slip angles, lagging
-    drive torque, lagging brake torques.
+    """Parts of the state.
+
+    Place of the frame (x, y, yaw), displacements, velocities, spins, and what lags: slip angles, drive torque, brake
+    torques.
     """
 
     frame: Any
@@ -106,9 +108,11 @@ class Rolling(NamedTuple):
 
 
 class Balance(NamedTuple):
-    """Accelerations and forces: dn/dt, dw/dt, reactions of the independent constraint rows, generalised forces of the
-    wheels on their bodies (6, w), forces in wheel axes (5, w), loads, torques of drive and brakes on the wheels, loads
-    of the supports for which the tyres were evaluated.
+    """Accelerations and forces.
+
+    dn/dt, dw/dt, reactions of the independent constraint rows, forces of the wheels on their bodies (6, w) and in wheel
+    axes (5, w), loads, torques of drive and brakes on the wheels, loads of the supports for which the tyres were
+    evaluated.
     """
 
     dn: Any
@@ -121,9 +125,18 @@ class Balance(NamedTuple):
     assumed: Any
 
 
+class Evaluation(NamedTuple):
+    """All that a state and inputs mean."""
+
+    state: State
+    motion: Motion
+    rolling: Rolling
+    balance: Balance
+
+
 def sizes(p: Model) -> tuple[int, ...]:
     """Lengths of the parts of the state."""
-    wheels = len(p.contact.count)
+    wheels = len(p.contact.number)
     return (
         3,
         p.body.T.shape[1],
@@ -176,12 +189,17 @@ def rolling(state: State, u: Any, at: Motion, p: Model) -> Rolling:
     return Rolling(forward, side, alpha, kappa, c.lean @ at.displaced, steer, omega)
 
 
+def free_loads(at: Motion, supports: Any, p: Model) -> Any:
+    """Loads [N] that springs and supports would put on wheels that cannot lift; negative for those that do."""
+    c = p.contact
+    return c.base + c.share @ supports + (c.rolled + c.sprung) @ at.displaced + c.damped @ (p.body.T @ at.dq)
+
+
 def wheel_loads(at: Motion, supports: Any, p: Model) -> Any:
     """Normal loads [N] by the supports' loads; a wheel that lifts pulls nothing, and its partner carries the axle."""
     c = p.contact
-    free = c.base + c.share @ supports + (c.rolled + c.sprung) @ at.displaced + c.damped @ (p.body.T @ at.dq)
     limit = maximum(c.most @ supports, 0.0) + c.alone
-    return minimum(maximum(free, 0.0), limit)
+    return minimum(maximum(free_loads(at, supports, p), 0.0), limit)
 
 
 def torques(state: State, u: Any, slip: Rolling, p: Model) -> Any:
@@ -198,7 +216,7 @@ def road_forces(slip: Rolling, load: Any, torque: Any, p: Model) -> Any:
     A wheel whose spin is no state passes its torque on to the road at once.
     """
     c = p.contact
-    found = forces(p.laws, c.count, slip.alpha, slip.kappa, load, slip.camber, slip.forward)
+    found = forces(p.laws, c.number, slip.alpha, slip.kappa, load, slip.camber, slip.forward)
     passed = (torque + found[3]) / c.radius
     passed[c.spinning] = found[0, c.spinning]
     found[0] = passed
@@ -231,7 +249,9 @@ def passive_forces(state: State, u: Any, at: Motion, p: Model) -> Any:
     v_x, yaw_rate = state.n[body.lead[0]], state.n[body.lead[2]]
     along = drags @ at.local
     planar = body.planar - drags.T @ (p.control.drag_factor * along * magnitude(along))
-    planar = planar - body.C_slip @ body_velocity(at, v_x)
+    drifting = body_velocity(at, v_x)
+    drifting[0::6] -= v_x
+    planar = planar - body.C_slip @ drifting
     w = at.w.reshape(-1, 6)
     momentum = (body.inertia @ w[:, 3:, np.newaxis])[:, :, 0]
     turning = np.zeros_like(w)
@@ -242,9 +262,8 @@ def passive_forces(state: State, u: Any, at: Motion, p: Model) -> Any:
 
 
 def body_velocity(at: Motion, v_x: Any) -> Any:
-    """Velocities in body axes less a straight run at v_x, (N,): a pitched body moves along its z too."""
+    """Velocities in body axes, (N,), of a vehicle that runs at v_x: a pitched body moves along its z too."""
     result = at.local + 0.0
-    result[0::6] -= v_x
     result[2::6] += v_x * at.displaced[4::6]
     return result
 
@@ -310,20 +329,24 @@ def balance(state: State, u: Any, at: Motion, slip: Rolling, p: Model) -> Balanc
     return Balance(dn, dw, reactions(state, lacking, p), on_body, found, load, torque, assumed)
 
 
-def rates(x: Any, u: Any, p: Model) -> Any:
-    """dx/dt at a state x under inputs u."""
+def evaluate(x: Any, u: Any, p: Model) -> Evaluation:
+    """What a state and inputs mean."""
     state = split(x, p)
     at = motion(state, p)
     slip = rolling(state, u, at, p)
-    found = balance(state, u, at, slip, p)
+    return Evaluation(state, at, slip, balance(state, u, at, slip, p))
+
+
+def rates(x: Any, u: Any, p: Model) -> Any:
+    """dx/dt at a state x under inputs u."""
+    state, at, slip, found = evaluate(x, u, p)
     c, control = p.contact, p.control
     yaw = state.frame[2]
-    v_x, v_y, r = state.n[p.body.lead[0]], state.n[p.body.lead[1]], state.n[p.body.lead[2]]
-    frame = np.stack((np.cos(yaw) * v_x - np.sin(yaw) * v_y, np.sin(yaw) * v_x + np.cos(yaw) * v_y, r))
+    v_x, v_y, yaw_rate = state.n[p.body.lead]
+    frame = np.stack((np.cos(yaw) * v_x - np.sin(yaw) * v_y, np.sin(yaw) * v_x + np.cos(yaw) * v_y, yaw_rate))
     spin = control.spin @ (found.torque + found.forces[3] - c.radius * found.forces[0])
     reach = kept_above(magnitude(slip.forward[c.relaxing]), LOW_SPEED) / c.relaxation
-    side = reach * (slip.side[c.relaxing] - state.side)
-    parts = [frame, at.dq, found.dn, spin, side]
+    parts = [frame, at.dq, found.dn, spin, reach * (slip.side[c.relaxing] - state.side)]
     if control.drive_lag > 0.0:
         parts.append((control.demand @ u - state.drive) / control.drive_lag)
     if control.brake_lag > 0.0:

@@ -23,8 +23,8 @@ LEAD = (0, 1, 5)
 class Multibody(NamedTuple):
     """A vehicle without tyres in a frame that moves and yaws with its lead body; N = 6 bodies.
 
-    Displacements q are counted from that frame. Velocities w are whole ones: translations in the frame's axes, rotations
-    in body axes; n are the independent ones among them, n[0] the lead's v_x.
+    Displacements q are counted from that frame. Velocities w are whole ones: translations in the frame's axes,
+    rotations in body axes; n are the independent ones among them, n[0] the lead's v_x.
 
     Attributes
     ----------

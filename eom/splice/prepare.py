@@ -12,7 +12,6 @@ from eom.assembly.rows import rows
 from eom.assembly.vectors import Array
 from eom.splice.contact import Contact, contact, spliced
 from eom.splice.equations import Control, Model, sizes
-from eom.splice.laws import LawGroup
 from eom.splice.multibody import LEAD, Multibody, multibody
 from eom.splice.trim import Trim, solve_trim
 from eom.vehicle.elements import GROUND, Connection, System
@@ -58,7 +57,7 @@ def prepare(system: System, speed: float) -> Prepared:
     check_free(rest, speed)
     pivots = choose_coordinates(rest, DENSE)
     trim, laws, matrices = solve_trim(rest, pivots, speed, held=held)
-    check_pivots(rest, pivots, matrices)
+    check_motions(rest, matrices)
     body = multibody(rest, pivots, matrices, held=held)
     wheels = contact(rest, pivots, trim.load, matrices.statics.reactions)
     inputs = control(rest, wheels)
@@ -84,7 +83,7 @@ def check_free(system: System, speed: float) -> None:
             raise SpliceError(item.name, "acts through its rate, which these equations do not take")
 
 
-def check_pivots(system: System, pivots: Pivots, matrices: Matrices) -> None:
+def check_motions(system: System, matrices: Matrices) -> None:
     """Raise `SpliceError` where the lead body cannot move freely on the plane, or a motion has no mass."""
     lead = system.bodies[0].name
     if not set(LEAD) <= set(matrices.reduction.independent.tolist()):

@@ -98,7 +98,7 @@ def rolling(
     wheels = system.wheels
     count, radius, share, spinning = (
         np.array([getattr(wheel, name) for wheel in wheels], dtype=float)
-        for name in ("count", "radius", "drive_share", "spin_inertia")
+        for name in ("number", "radius", "drive_share", "spin_inertia")
     )
     arm = np.where(radius > 0.0, radius, 1.0)
     zero = np.zeros(len(wheels))
@@ -115,8 +115,8 @@ def rolling(
         if not np.all(np.isfinite(change) & (np.abs(kappa + change) < 1.0)):
             worst = int(np.argmax(np.abs(wanted) / loads))
             what = (
-                f"the straight run asks of it {wanted[worst]:.6g} N along the road at {loads[worst]:.6g} N of load, more "
-                "than its tyre can give"
+                f"the straight run asks of it {wanted[worst]:.6g} N along the road at {loads[worst]:.6g} N of load, "
+                "more than its tyre can give"
             )
             raise TrimError(wheels[worst].axle, what)
         kappa = kappa + change

@@ -21,6 +21,7 @@ from eom.vehicle.elements import (
     System,
     Triangle,
     TyreLaw,
+    Unit,
     Vector,
     Wheel,
 )
@@ -134,7 +135,12 @@ class Draft:
             tuple(self.laws[name] for name in self.used),
             tuple(self.drags),
             self.drive,
+            tuple(Unit(unit.name, tuple(unit.bodies.values()), self.coupling_of(unit.name)) for unit in self.units),
         )
+
+    def coupling_of(self, towed: str) -> str:
+        """Name of the coupling of a unit to the one ahead of it, empty for the first one."""
+        return next((name for name, (_, unit) in self.couplings.items() if unit == towed), "")
 
     def claim(self, name: str, path: Path) -> None:
         """Enter a name into the one namespace of all objects."""

@@ -238,7 +238,7 @@ class Wheel(NamedTuple):
         The body that carries it.
     place : Vector
         Contact point at the trim [m].
-    count : float
+    number : float
         How many wheels it stands for.
     tyre : int
         Number of its `TyreLaw`.
@@ -269,7 +269,7 @@ class Wheel(NamedTuple):
     axle: str
     body: int
     place: Vector
-    count: float
+    number: float
     tyre: int
     mirrored: bool
     radius: float
@@ -303,6 +303,14 @@ class Drive(NamedTuple):
     locked: tuple[str, ...]
 
 
+class Unit(NamedTuple):
+    """A vehicle unit: numbers of its bodies, the first one leading; the coupling to the unit ahead, if any."""
+
+    name: str
+    bodies: tuple[int, ...]
+    coupling: str
+
+
 class System(NamedTuple):
     """Everything that acts, with numbers: what assembly turns into matrices."""
 
@@ -322,3 +330,4 @@ class System(NamedTuple):
     tyres: tuple[TyreLaw, ...] = ()
     drags: tuple[Drag, ...] = ()
     drive: Drive = Drive(0.0, 0.0, ())
+    units: tuple[Unit, ...] = ()

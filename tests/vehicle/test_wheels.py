@@ -58,7 +58,7 @@ def test_a_file_without_new_keys_keeps_its_slip_and_has_a_wheel_in_the_middle_of
     assert [item.connection.name for item in car.slip] == ["axle_1", "axle_2"]
     assert [item.name for item in car.inputs] == ["axle_1.steer"]
     front, rear = car.wheels
-    assert (front.name, front.axle, front.count, front.steer) == ("axle_1", "axle_1", 2.0, "axle_1.steer")
+    assert (front.name, front.axle, front.number, front.steer) == ("axle_1", "axle_1", 2.0, "axle_1.steer")
     assert (rear.name, rear.place, rear.steer) == ("axle_2", (-1.4, 0.0, 0.0), "")
     assert (front.support, front.share, rear.support, rear.share) == ("car_front", 1.0, "car_rear", 1.0)
     assert rear.roll_rate == 0.0
@@ -86,7 +86,7 @@ def test_a_track_sets_wheels_left_and_right_of_the_middle() -> None:
     wheels = by_name(system(APART))
     assert list(wheels) == ["axle_1.left", "axle_1.right", "axle_2"]
     assert (wheels["axle_1.left"].place, wheels["axle_1.right"].place) == ((1.2, 0.8, 0.0), (1.2, -0.8, 0.0))
-    assert [wheel.count for wheel in wheels.values()] == [1.0, 1.0, 2.0]
+    assert [wheel.number for wheel in wheels.values()] == [1.0, 1.0, 2.0]
     assert [wheel.mirrored for wheel in wheels.values()] == [False, True, False]
     assert [wheel.share for wheel in wheels.values()] == [0.5, 0.5, 1.0]
     assert {wheels["axle_1.left"].steer, wheels["axle_1.right"].steer} == {"axle_1.steer"}

@@ -1,0 +1,196 @@
+"""The nonlinear model of a vehicle whose tyres are spliced in: states, inputs, outputs by name, rates, trim, limits."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from eom.assembly.matrices import DISPLACEMENTS, VELOCITIES
+from eom.assembly.vectors import Array
+from eom.errors import DescriptionError, EquilibriumError, SingularError
+from eom.splice.equations import Evaluation, Model, evaluate, rates, sizes
+from eom.splice.limits import Limit, happened, limits, margins
+from eom.splice.multibody import LEAD, frame_motion
+from eom.splice.outputs import Signals, all_outputs, body_rates, placed
+from eom.splice.prepare import Prepared, SpliceError, input_names, prepare
+from eom.splice.signals import output_names, signals
+from eom.splice.steady import steady
+from eom.splice.trim import TrimError
+from eom.vehicle.elements import System
+from eom.vehicle.load import Vehicle
+
+
+class Run(NamedTuple):
+    """State and inputs of a straight, steady run."""
+
+    x: Array
+    u: Array
+
+
+@dataclass(frozen=True)
+class TyreModel:
+    """dx/dt = rhs(t, x, u), y = outputs(t, x, u): multibody part, nonlinear tyres, wheel spins, drive and brakes.
+
+    The state holds place and heading of the lead body [m, rad], the small displacements counted from it, whole
+    velocities [m/s, rad/s], spins of wheels [rad/s], and what lags. The heading is free; articulation and roll are
+    small, but forces are turned by articulation and steer exactly.
+
+    Attributes
+    ----------
+    vehicle : Vehicle
+    prepared : Prepared
+        The numbers of the equations, and what they were made of.
+    signals : Signals
+        What the outputs are made of.
+    states, inputs, outputs : tuple of str
+        Names; ``state_units``, ``input_units`` and ``output_units`` are their units.
+    limits : tuple of Limit
+        What `reached` watches.
+    """
+
+    vehicle: Vehicle
+    prepared: Prepared
+    signals: Signals
+    states: tuple[str, ...]
+    inputs: tuple[str, ...]
+    outputs: tuple[str, ...]
+    state_units: tuple[str, ...]
+    input_units: tuple[str, ...]
+    output_units: tuple[str, ...]
+    limits: tuple[Limit, ...]
+
+    @property
+    def numbers(self) -> Model:
+        """What the equations compute with."""
+        return self.prepared.model
+
+    def rhs(self, t: float, x: ArrayLike, u: ArrayLike) -> Array:
+        """Rates of the states x under the inputs u, both arrays in the order of their names; *t* does not matter.
+
+        Complex states or inputs carry derivatives: the imaginary part of the result over that of a step of 1e-30.
+        """
+        del t
+        found: Array = rates(np.asarray(x), np.asarray(u), self.numbers)
+        return found
+
+    def output(self, t: float, x: ArrayLike, u: ArrayLike) -> Array:
+        """Outputs at a state and inputs, in the order of their names."""
+        del t
+        found: Array = all_outputs(self.evaluated(x, u), np.asarray(u), self.numbers, self.signals)
+        return found
+
+    def evaluated(self, x: ArrayLike, u: ArrayLike) -> Evaluation:
+        """All that a state and inputs mean, by part: motion, slips, forces, reactions."""
+        return evaluate(np.asarray(x), np.asarray(u), self.numbers)
+
+    def reached(self, x: ArrayLike, u: ArrayLike) -> tuple[Limit, ...]:
+        """The limits that are reached at a state: lifted and locked wheels, jackknife, rollover, angles not small."""
+        return happened(self.limits, self.margins(x, u))
+
+    def margins(self, x: ArrayLike, u: ArrayLike) -> Array:
+        """How far each limit is away, negative beyond it; continuous, so that a solver can find where it is zero."""
+        found: Array = margins(self.evaluated(x, u), self.numbers, self.signals)
+        return found
+
+    def trim(self, speed: float | None = None) -> Run:
+        """The straight run at a forward speed [m/s], the file's own if none is given; raises `EquilibriumError`."""
+        own = self.prepared.trim
+        try:
+            return Run(*steady(self.numbers, own.speed if speed is None else speed, own.slip, own.torque))
+        except TrimError as error:
+            raise EquilibriumError(str(self.vehicle.mistake(error.owner, str(error)))) from None
+
+    def coordinates(self, x: ArrayLike) -> Mapping[str, float]:
+        """Displacements from the drawing and velocities of all bodies at a state, by name.
+
+        Displacements are in inertial axes, velocities in those of each body's heading: for the B-train the 72
+        coordinates of table F1 of Zhu's thesis, from its 40 states.
+        """
+        found = self.evaluated(x, np.zeros(len(self.inputs)))
+        values = np.concatenate((placed(found, self.signals), body_rates(found)))
+        bodies = [body.name for body in self.prepared.system.bodies]
+        names = [f"{body}.{name}" for kind in (DISPLACEMENTS, VELOCITIES) for body in bodies for name in kind]
+        return dict(zip(names, map(float, values), strict=True))
+
+
+def build_tyre_model(vehicle: Vehicle) -> TyreModel:
+    """The nonlinear model of a vehicle with wheels.
+
+    Raises
+    ------
+    DescriptionError
+        If it describes what this model does not know: no axles with tyres, no forward speed, wheels as bodies.
+    EquilibriumError
+        If its straight run cannot be held, or a wheel carries nothing.
+    SingularError
+        If a motion has no mass, or joints repeat each other.
+    """
+    prepared = prepared_for(vehicle)
+    system = prepared.system
+    inputs, outputs = input_names(system), output_names(system)
+    own = signals(system, prepared.pivots, [name for name, _ in inputs], vehicle.speed)
+    states = state_names(prepared)
+    return TyreModel(
+        vehicle=vehicle,
+        prepared=prepared,
+        signals=own,
+        states=tuple(name for name, _ in states),
+        inputs=tuple(name for name, _ in inputs),
+        outputs=tuple(name for name, _ in outputs),
+        state_units=tuple(unit for _, unit in states),
+        input_units=tuple(unit for _, unit in inputs),
+        output_units=tuple(unit for _, unit in outputs),
+        limits=limits(system),
+    )
+
+
+def prepared_for(vehicle: Vehicle) -> Prepared:
+    """The numbers of a vehicle's equations; errors as `build_tyre_model`."""
+    try:
+        return prepare(vehicle.system, vehicle.speed)
+    except SpliceError as error:
+        raise DescriptionError([vehicle.mistake(error.owner, str(error))]) from None
+    except TrimError as error:
+        raise EquilibriumError(str(vehicle.mistake(error.owner, str(error)))) from None
+    except ValueError as error:
+        raise SingularError(f"{vehicle.file}: {error}") from None
+
+
+def state_names(prepared: Prepared) -> list[tuple[str, str]]:
+    """Names and units of the states."""
+    system, independent = prepared.system, prepared.matrices.reduction.independent
+    bodies = [body.name for body in system.bodies]
+    own = [int(k) for k in independent if k not in LEAD]
+    moved = np.any(frame_motion(system) != 0.0, axis=1)
+    names = [(f"{bodies[0]}.{name}", unit) for name, unit in (("x", "m"), ("y", "m"), ("yaw", "rad"))]
+    for k in own:
+        counted = f"_from_{bodies[0]}" if moved[k] else ""
+        names.append((f"{bodies[k // 6]}.{DISPLACEMENTS[k % 6]}{counted}", "m" if k % 6 < 3 else "rad"))
+    names += [(f"{bodies[k // 6]}.{VELOCITIES[k % 6]}", "m/s" if k % 6 < 3 else "rad/s") for k in map(int, independent)]
+    return names + other_states(system, prepared.model)
+
+
+def other_states(system: System, p: Model) -> list[tuple[str, str]]:
+    """Names and units of spins and of what lags."""
+    *_, drive, brake = sizes(p)
+    names = [(f"{system.wheels[k].name}.spin", "rad/s") for k in p.contact.spinning]
+    names += [(f"{system.wheels[k].name}.slip_angle", "rad") for k in p.contact.relaxing]
+    names += [("drive_torque", "N*m")] * drive
+    return names + [(f"{wheel.name}.brake_torque", "N*m") for wheel in system.wheels[:brake]]
+
+
+def tyre_slopes(model: TyreModel, x: ArrayLike, u: ArrayLike) -> tuple[Array, Array]:
+    """Exact derivatives of the rates by the states and by the inputs, at any state, by complex steps."""
+    step = 1e-30
+    at = np.concatenate((np.asarray(x, dtype=complex), np.asarray(u, dtype=complex)))
+    n = len(model.states)
+
+    def column(k: int) -> Any:
+        """Derivative by one state or input."""
+        moved = at + 1j * step * (np.arange(len(at)) == k)
+        return model.rhs(0.0, moved[:n], moved[n:]).imag / step
+
+    both = np.array([column(k) for k in range(len(at))]).T
+    return both[:, :n], both[:, n:]
