@@ -1,8 +1,8 @@
 """Axles: two wheels on a group's body or on bodies of their own, told in full or like another axle."""
 
-from typing import Annotated
+from typing import Annotated, Any
 
-from pydantic import Discriminator, Tag
+from pydantic import Discriminator, Tag, model_validator
 
 from eom.vehicle.parts import Flag, Identifier, Strict, as_mapping
 from eom.vehicle.quantity import Inertia, Length, TorquePerPressure
@@ -21,6 +21,14 @@ class AxleKeys(Strict):
     spin_inertia: Inertia | None = None
     brake_gain: TorquePerPressure | None = None
     track: Length | None = None
+
+    @model_validator(mode="before")
+    @classmethod
+    def _on_one_of_two(cls, value: Any) -> Any:
+        if {"group", "bodies"} <= as_mapping(value).keys():
+            message = "stands on a 'group' or on two 'bodies': give one of the two"
+            raise ValueError(message)
+        return value
 
 
 class Axle(AxleKeys):
@@ -51,7 +59,7 @@ def tells_axle(value: object) -> str:
     if isinstance(value, AxleKeys):
         return "on_group" if isinstance(value, Axle) else "on_bodies" if isinstance(value, WheelAxle) else "like"
     given = as_mapping(value)
-    return "like" if "like" in given else "on_bodies" if "bodies" in given and "group" not in given else "on_group"
+    return "like" if "like" in given else "on_bodies" if "bodies" in given else "on_group"
 
 
 AnyAxle = Annotated[

@@ -51,8 +51,6 @@ def whole_axle(axles: Mapping[str, AnyAxle], key: str) -> WholeAxle | WrongAxle:
         if isinstance(other, AxleLike):
             return WrongAxle(path, f"'{axle.like}' is itself like another axle: name one that has its own keys")
         chosen[axle.like] = other
-    if getattr(axle, "group", None) is not None and getattr(axle, "bodies", None) is not None:
-        return WrongAxle(("axles", key), "stands on a 'group' or on two 'bodies': give one of the two")
     found: dict[str, Any] = {}
     home: dict[str, str] = {}
     for owner, item in chosen.items():
