@@ -10,12 +10,13 @@ from numpy.typing import ArrayLike
 from eom.assembly.matrices import DISPLACEMENTS, VELOCITIES
 from eom.assembly.vectors import Array
 from eom.errors import DescriptionError, EquilibriumError, SingularError
-from eom.splice.equations import Evaluation, Model, evaluate, rates, sizes
 from eom.splice.limits import Limit, happened, limits, margins
 from eom.splice.multibody import LEAD, frame_motion
 from eom.splice.outputs import Signals, all_outputs, body_rates, placed
 from eom.splice.prepare import Prepared, SpliceError, input_names, prepare
+from eom.splice.rates import evaluate, rates
 from eom.splice.signals import output_names, signals
+from eom.splice.state import Evaluation, Model, sizes
 from eom.splice.steady import steady
 from eom.splice.trim import TrimError
 from eom.vehicle.elements import System

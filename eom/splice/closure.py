@@ -12,10 +12,10 @@ from eom.assembly.loads import load_sums
 from eom.assembly.massless import independent_equations
 from eom.assembly.vectors import Array
 from eom.splice.contact import FORWARD, LATERAL
-from eom.splice.equations import sizes
 from eom.splice.laws import forces
 from eom.splice.multibody import frame_motion
 from eom.splice.prepare import Prepared
+from eom.splice.state import sizes
 from eom.splice.trim import road_loads
 
 STEP = 1e-30

@@ -6,9 +6,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from eom.splice.equations import Evaluation, Model, free_loads
 from eom.splice.outputs import Signals
 from eom.splice.signals import units_of
+from eom.splice.state import Evaluation, Model
+from eom.splice.wheels import free_loads
 from eom.vehicle.elements import System
 
 ARTICULATION, ROLL = np.radians(15.0), np.radians(10.0)

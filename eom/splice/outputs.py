@@ -6,7 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from eom.assembly.vectors import Array
-from eom.splice.equations import Balance, Evaluation, Model, Motion, State, body_velocity, headed
+from eom.splice.motion import body_velocity, headed
+from eom.splice.state import Balance, Evaluation, Model, Motion, State
 
 POSITION, VELOCITY, ACCELERATION = range(3)
 

@@ -11,8 +11,8 @@ from eom.assembly.reduction import Pivots
 from eom.assembly.rows import rows
 from eom.assembly.vectors import Array
 from eom.splice.contact import Contact, contact, spliced
-from eom.splice.equations import Control, Model, sizes
 from eom.splice.multibody import LEAD, Multibody, multibody
+from eom.splice.state import Control, Model, sizes
 from eom.splice.trim import Trim, solve_trim
 from eom.vehicle.elements import GROUND, Connection, System
 

@@ -5,7 +5,8 @@ from typing import Any
 import numpy as np
 
 from eom.assembly.vectors import Array
-from eom.splice.equations import Model, rates, sizes
+from eom.splice.rates import rates
+from eom.splice.state import Model, sizes
 from eom.splice.trim import TrimError
 
 STEP, PASSES = 1e-30, 30

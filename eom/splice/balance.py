@@ -1,0 +1,98 @@
+"""Balance of forces at a state: accelerations, reactions of joints, and the loads that close their loop."""
+
+from typing import Any
+
+import numpy as np
+
+from eom.splice.motion import body_velocity, generalised, headed
+from eom.splice.state import Balance, Model, Motion, Rolling, State
+from eom.splice.wheels import lifted, on_bodies, road_forces, torques, wheel_loads
+from eom.tyre.elementary import magnitude, maximum
+
+LOAD_STEP = 1e-6
+"""Relative step of load by which its effect on tyre forces is found."""
+
+
+def passive_forces(state: State, u: Any, at: Motion, p: Model) -> Any:
+    """Generalised forces on w of all but wheels and joints, gyroscopic and centripetal terms included, (N,)."""
+    body, drags = p.body, p.control.drags
+    v_x, yaw_rate = state.n[body.lead[0]], state.n[body.lead[2]]
+    along = drags @ at.local
+    planar = body.planar - drags.T @ (p.control.drag_factor * along * magnitude(along))
+    drifting = body_velocity(at, v_x)
+    drifting[0::6] -= v_x
+    planar = planar - body.C_slip @ drifting
+    w = at.w.reshape(-1, 6)
+    momentum = (body.inertia @ w[:, 3:, np.newaxis])[:, :, 0]
+    turning = np.zeros_like(w)
+    turning[:, 0], turning[:, 1] = -body.mass * yaw_rate * w[:, 1], body.mass * yaw_rate * w[:, 0]
+    turning[:, 3:] = np.cross(w[:, 3:], momentum)
+    elastic = body.K @ at.displaced + body.C @ at.w
+    return body.f + body.B @ u + headed(planar, at.displaced[5::6]) - elastic - turning.ravel()
+
+
+def accelerations(at: Motion, applied: Any, p: Model) -> tuple[Any, Any, Any]:
+    """dn/dt, dw/dt and the reactions of the joints under generalised forces on w, (N,)."""
+    body = p.body
+    mass = at.W.T @ (body.M @ at.W)
+    force = at.W.T @ (applied - body.M @ at.drift)
+    if body.held:
+        dn = np.concatenate((np.zeros(1), np.linalg.solve(mass[1:, 1:], force[1:])))
+    else:
+        dn = np.linalg.solve(mass, force)
+    dw = at.W @ dn + at.drift
+    return dn, dw, body.M @ dw - applied
+
+
+def reactions(state: State, lacking: Any, p: Model) -> Any:
+    """Reactions of the independent constraint rows that supply the *lacking* generalised forces, (rows,)."""
+    body = p.body
+    straight = body.react @ lacking
+    return straight + (state.q @ body.react_turn).reshape(len(straight), len(straight)) @ straight
+
+
+def pushed(slip: Rolling, load: Any, torque: Any, at: Motion, p: Model) -> tuple[Any, Any]:
+    """Forces of the road on the wheels at given loads, in wheel axes (5, w), and on their bodies (6, w)."""
+    found = road_forces(slip, load, torque, p)
+    on_body = on_bodies(found, slip, load, torque, p)
+    on_body[5] = lifted(at, load, p)
+    return found, on_body
+
+
+def support_loads(state: State, passive: Any, torque: Any, at: Motion, slip: Rolling, p: Model) -> Any:
+    """Loads of the supports [N], by one step of Newton from those at the trim.
+
+    They follow from accelerations, these from tyre forces, and these from the loads. The step is exact to first order
+    about the trim, and else to the second order of the change of load; `Balance.assumed` lets check it against the
+    reactions.
+    """
+    c = p.contact
+    at_trim = c.carried
+    load = wheel_loads(at, at_trim, p)
+    _, on_body = pushed(slip, load, torque, at, p)
+    step = LOAD_STEP * c.nominal
+    _, with_more = pushed(slip, load + step, torque, at, p)
+    slope = (with_more - on_body) / step
+    slope[5] = 0.0
+    _, _, lacking = accelerations(at, passive + generalised(on_body, at, p), p)
+    off = reactions(state, lacking, p)[c.supports] - at_trim
+    # a wheel follows its share, with its partner lifted the whole axle's, and lifted nothing
+    limit = (maximum(c.most @ at_trim, 0.0) + c.alone)[:, np.newaxis]
+    loaded, shared = (load > 0.0)[:, np.newaxis], load[:, np.newaxis] < limit
+    following = np.where(loaded, np.where(shared, c.share, c.most), 0.0)
+    rows = c.rows.reshape(-1, c.rows.shape[2])
+    gain = p.load_gain @ (rows.T @ (slope[:, :, np.newaxis] * following).reshape(-1, len(at_trim)))
+    return at_trim + np.linalg.solve(np.eye(len(at_trim)) - gain, off)
+
+
+def balance(state: State, u: Any, at: Motion, slip: Rolling, p: Model) -> Balance:
+    """Accelerations and forces at a state."""
+    torque = torques(state, u, slip, p)
+    passive = passive_forces(state, u, at, p)
+    assumed = p.contact.carried
+    if len(assumed):
+        assumed = support_loads(state, passive, torque, at, slip, p)
+    load = wheel_loads(at, assumed, p)
+    found, on_body = pushed(slip, load, torque, at, p)
+    dn, dw, lacking = accelerations(at, passive + generalised(on_body, at, p), p)
+    return Balance(dn, dw, reactions(state, lacking, p), on_body, found, load, torque, assumed)

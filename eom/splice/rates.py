@@ -1,0 +1,37 @@
+"""Rates of the states: the nonlinear equations of a vehicle with wheels."""
+
+from typing import Any
+
+import numpy as np
+
+from eom.splice.balance import balance
+from eom.splice.motion import motion
+from eom.splice.state import Evaluation, Model, split
+from eom.splice.wheels import LOW_SPEED, rolling
+from eom.tyre.contact import kept_above
+from eom.tyre.elementary import magnitude
+
+
+def evaluate(x: Any, u: Any, p: Model) -> Evaluation:
+    """What a state and inputs mean."""
+    state = split(x, p)
+    at = motion(state, p)
+    slip = rolling(state, u, at, p)
+    return Evaluation(state, at, slip, balance(state, u, at, slip, p))
+
+
+def rates(x: Any, u: Any, p: Model) -> Any:
+    """dx/dt at a state x under inputs u."""
+    state, at, slip, found = evaluate(x, u, p)
+    c, control = p.contact, p.control
+    yaw = state.frame[2]
+    v_x, v_y, yaw_rate = state.n[p.body.lead]
+    frame = np.stack((np.cos(yaw) * v_x - np.sin(yaw) * v_y, np.sin(yaw) * v_x + np.cos(yaw) * v_y, yaw_rate))
+    spin = control.spin @ (found.torque + found.forces[3] - c.radius * found.forces[0])
+    reach = kept_above(magnitude(slip.forward[c.relaxing]), LOW_SPEED) / c.relaxation
+    parts = [frame, at.dq, found.dn, spin, reach * (slip.side[c.relaxing] - state.side)]
+    if control.drive_lag > 0.0:
+        parts.append((control.demand @ u - state.drive) / control.drive_lag)
+    if control.brake_lag > 0.0:
+        parts.append((control.brake @ u - state.brake) / control.brake_lag)
+    return np.concatenate(parts)
