@@ -30,7 +30,7 @@ def test_degrees_of_freedom_are_those_of_the_bodies_and_of_spinning_wheels(name:
     assembly = eom.assemble(vehicle(name, **still))
     assert len(assembly.reduction.independent) == motions
     assert len(assembly.independent) == 2 * motions
-    assert sum(wheel.count for wheel in assembly.system.wheels if wheel.spin_inertia) == spins
+    assert sum(wheel.number for wheel in assembly.system.wheels if wheel.spin_inertia) == spins
 
 
 def carried(
@@ -81,7 +81,7 @@ def test_a_nonlinear_file_has_the_bodies_places_and_stiffnesses_of_its_linear_tw
     middle = {wheel.axle: wheel for wheel in plain.wheels}
     for axle, wheel in middle.items():
         own = [item for item in rich.wheels if item.axle == axle]
-        assert sum(item.count for item in own) == wheel.count
+        assert sum(item.number for item in own) == wheel.number
         centre = np.mean([item.place for item in own], axis=0)
         assert np.array_equal(centre, wheel.place)
         assert {(item.tyre, item.steer) for item in own} == {(wheel.tyre, wheel.steer)}
