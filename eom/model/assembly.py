@@ -17,7 +17,10 @@ from eom.assembly.reduction import Pivots, Reduction
 from eom.assembly.rows import row_count
 from eom.assembly.statics import unbalanced
 from eom.assembly.vectors import Array
-from eom.errors import DescriptionError, EquilibriumError, SingularError
+from eom.errors import DescriptionError, EquilibriumError, SingularError, TyreError
+from eom.splice.linear_tyres import wheels_alone, with_linear_tyres
+from eom.splice.prepare import Prepared, SpliceError, prepare
+from eom.splice.trim import TrimError
 from eom.vehicle.elements import Connection, System
 from eom.vehicle.load import Vehicle
 
@@ -61,17 +64,18 @@ class Assembly:
         Which coordinates are dependent, which have no mass, which change nothing.
     form : FirstOrder
         The first-order form of the equations.
+    system : System
+        The elements that were assembled: the vehicle's; wheels with the slopes of their tyres at the trim.
+    prepared : Prepared or None
+        Of a vehicle with wheels, the numbers of its nonlinear equations and its trim.
     """
 
     vehicle: Vehicle
     matrices: Matrices
     pivots: Pivots
     form: FirstOrder
-
-    @property
-    def system(self) -> System:
-        """The vehicle's system of elements."""
-        return self.vehicle.system
+    system: System
+    prepared: Prepared | None = None
 
     @property
     def M(self) -> Array:
@@ -219,10 +223,13 @@ def assemble(vehicle: Vehicle, *, symbols: Sequence[str] | str | None = None) ->
         from eom.model.symbolic import assemble_symbols  # noqa: PLC0415  sympy is slow to import
 
         return assemble_symbols(vehicle, symbols)
-    system = vehicle.system
+    system, prepared = vehicle.system, None
     findings = check_system(system)
     if findings:
         raise DescriptionError([vehicle.mistake(name, what) for name, what in findings])
+    if wheels_alone(system):
+        prepared = prepared_for(vehicle)
+        system = with_linear_tyres(system, prepared)
     algebra = algebra_for(len(system.bodies))
     try:
         pivots = choose_coordinates(system, algebra)
@@ -231,7 +238,7 @@ def assemble(vehicle: Vehicle, *, symbols: Sequence[str] | str | None = None) ->
         raise SingularError(f"{vehicle.file}: {nearly_redundant(vehicle) or error}") from None
     check_equilibrium(vehicle, matrices)
     try:
-        return Assembly(vehicle, matrices, *complete(system, matrices, pivots))
+        return Assembly(vehicle, matrices, *complete(system, matrices, pivots), system, prepared)
     except IndexAboveOneError as error:
         velocity = int(matrices.reduction.independent_velocities[error.velocity])
         body = system.bodies[velocity // 6].name
@@ -242,6 +249,30 @@ def assemble(vehicle: Vehicle, *, symbols: Sequence[str] | str | None = None) ->
         raise SingularError(str(vehicle.mistake(body, what))) from None
     except ValueError as error:
         raise SingularError(f"{vehicle.file}: {error}: its masses or dampers differ too much in size") from None
+
+
+def prepared_for(vehicle: Vehicle) -> Prepared:
+    """The numbers of the nonlinear equations of a vehicle with wheels.
+
+    Raises
+    ------
+    DescriptionError
+        If it describes what those equations do not know.
+    EquilibriumError
+        If its straight run cannot be held, or a wheel carries nothing.
+    SingularError
+        If a motion has no mass, or joints repeat each other.
+    """
+    try:
+        return prepare(vehicle.system, vehicle.speed)
+    except SpliceError as error:
+        raise DescriptionError([vehicle.mistake(error.owner, str(error))]) from None
+    except TrimError as error:
+        raise EquilibriumError(str(vehicle.mistake(error.owner, str(error)))) from None
+    except TyreError as error:
+        raise DescriptionError([vehicle.mistake("tyres", str(error))]) from None
+    except ValueError as error:
+        raise SingularError(f"{vehicle.file}: {nearly_redundant(vehicle) or error}") from None
 
 
 def algebra_for(bodies: int) -> Algebra:

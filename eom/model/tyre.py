@@ -9,11 +9,12 @@ from numpy.typing import ArrayLike
 
 from eom.assembly.matrices import DISPLACEMENTS, VELOCITIES
 from eom.assembly.vectors import Array
-from eom.errors import DescriptionError, EquilibriumError, SingularError
+from eom.errors import EquilibriumError
+from eom.model.assembly import prepared_for
 from eom.splice.limits import Limit, happened, limits, margins
 from eom.splice.multibody import LEAD, frame_motion
 from eom.splice.outputs import Signals, all_outputs, body_rates, placed
-from eom.splice.prepare import Prepared, SpliceError, input_names, prepare
+from eom.splice.prepare import Prepared, input_names
 from eom.splice.rates import evaluate, rates
 from eom.splice.signals import output_names, signals
 from eom.splice.state import Evaluation, Model, sizes
@@ -119,14 +120,8 @@ class TyreModel:
 def build_tyre_model(vehicle: Vehicle) -> TyreModel:
     """The nonlinear model of a vehicle with wheels.
 
-    Raises
-    ------
-    DescriptionError
-        If it describes what this model does not know: no axles with tyres, no forward speed, wheels as bodies.
-    EquilibriumError
-        If its straight run cannot be held, or a wheel carries nothing.
-    SingularError
-        If a motion has no mass, or joints repeat each other.
+    Errors as `eom.model.assembly.prepared_for`: without axles with tyres, without forward speed, with wheels as
+    bodies or with a run that cannot be held there is no such model.
     """
     prepared = prepared_for(vehicle)
     system = prepared.system
@@ -145,18 +140,6 @@ def build_tyre_model(vehicle: Vehicle) -> TyreModel:
         output_units=tuple(unit for _, unit in outputs),
         limits=limits(system),
     )
-
-
-def prepared_for(vehicle: Vehicle) -> Prepared:
-    """The numbers of a vehicle's equations; errors as `build_tyre_model`."""
-    try:
-        return prepare(vehicle.system, vehicle.speed)
-    except SpliceError as error:
-        raise DescriptionError([vehicle.mistake(error.owner, str(error))]) from None
-    except TrimError as error:
-        raise EquilibriumError(str(vehicle.mistake(error.owner, str(error)))) from None
-    except ValueError as error:
-        raise SingularError(f"{vehicle.file}: {error}") from None
 
 
 def state_names(prepared: Prepared) -> list[tuple[str, str]]:

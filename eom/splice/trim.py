@@ -146,25 +146,26 @@ def drive_torque(along: float, per_torque: Array) -> float:
 
 
 def road_loads(system: System, trim: Trim, *, held: bool) -> list[Load]:
-    """What road, drive and air do to the bodies at the trim, in axes that turn with them."""
-    _, _, _, _, found, torque = trim
-    speed = trim.speed
+    """What wheels, air and the hold of the speed do to the bodies at the trim, in axes that turn with them."""
+    loads, zero = wheel_forces(system, trim), (0.0, 0.0, 0.0)
+    for item in system.drags:
+        force = -item.factor * trim.speed * abs(trim.speed)
+        loads.append(Load(item.name, item.body, item.place, (force, 0.0, 0.0), zero, item.body))
+    if held:
+        hold = -sum(load.force[0] for load in (*loads, *system.loads))
+        loads.append(Load("trim.hold", 0, system.bodies[0].centre, (hold, 0.0, 0.0), zero, 0))
+    return loads
+
+
+def wheel_forces(system: System, trim: Trim) -> list[Load]:
+    """What wheels do to the bodies at the trim."""
     loads: list[Load] = []
     zero = (0.0, 0.0, 0.0)
-    total = 0.0
-    for wheel, (Fx, Fy, Mx, _, Mz) in zip(system.wheels, found.T, strict=True):
-        hub = wheel.radius if wheel.spin_inertia > 0.0 else 0.0
-        place = (wheel.place[0], wheel.place[1], wheel.place[2] + hub)
-        back = -wheel.drive_share * torque if wheel.spin_inertia > 0.0 else 0.0
+    for wheel, (Fx, Fy, Mx, _, Mz) in zip(system.wheels, trim.forces.T, strict=True):
+        spins = wheel.spin_inertia > 0.0
+        place = (wheel.place[0], wheel.place[1], wheel.place[2] + wheel.radius * spins)
+        back = -wheel.drive_share * trim.torque * spins
         name = f"{wheel.name}.road"
         loads.append(Load(name, wheel.body, place, (float(Fx), 0.0, 0.0), (float(Mx), back, float(Mz)), wheel.body))
         loads.append(Load(name, wheel.body, wheel.place, (0.0, float(Fy), 0.0), zero, wheel.body))
-        total += float(Fx)
-    for item in system.drags:
-        force = -item.factor * speed * abs(speed)
-        loads.append(Load(item.name, item.body, item.place, (force, 0.0, 0.0), zero, item.body))
-        total += force
-    if held:
-        hold = -total - sum(load.force[0] for load in system.loads)
-        loads.append(Load("trim.hold", 0, system.bodies[0].centre, (hold, 0.0, 0.0), zero, 0))
     return loads

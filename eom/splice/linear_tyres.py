@@ -1,0 +1,48 @@
+"""A system whose wheels have linear tyres at the trim: what the linear kernel assembles."""
+
+from eom.splice.closure import slopes_at_trim
+from eom.splice.contact import FORWARD, LATERAL, wheel_connection
+from eom.splice.prepare import Prepared
+from eom.splice.trim import wheel_forces
+from eom.vehicle.elements import Slip, System
+
+ALPHA, KAPPA = 0, 1
+FX, FY = 0, 1
+WAYS = ("lateral", "longitudinal")
+
+
+def wheels_alone(system: System) -> bool:
+    """Whether the tyres of axles are wheels alone, and no linear slip elements."""
+    slips = {item.connection.name for item in system.slip}
+    return any(wheel.axle not in slips for wheel in system.wheels)
+
+
+def with_linear_tyres(system: System, prepared: Prepared) -> System:
+    """The system with the forces of its wheels at the trim as loads, and their slopes there as slip elements.
+
+    A wheel's rows are named after it, ``axle_1.left.lateral`` and, where its spin is a state, ``.longitudinal``, which
+    here is that of a spin that does not change.
+    """
+    trim = prepared.trim
+    slopes = slopes_at_trim(prepared)
+    slips = []
+    for k, wheel in enumerate(system.wheels):
+        lateral = wheel_connection(wheel, LATERAL)._replace(name=f"{wheel.name}.lateral")
+        slips.append(Slip(lateral, ((float(-slopes[ALPHA, FY, k]) / trim.speed,),)))
+        if wheel.spin_inertia > 0.0:
+            forward = wheel_connection(wheel, FORWARD)._replace(name=f"{wheel.name}.longitudinal")
+            stiffness = float(slopes[KAPPA, FX, k] * (1.0 + trim.slip[k]))
+            slips.append(Slip(forward, ((stiffness / trim.speed,),)))
+    return system._replace(loads=(*system.loads, *wheel_forces(system, trim)), slip=(*system.slip, *slips))
+
+
+def tyre_elements(system: System) -> tuple[tuple[Slip, tuple[int, ...]], ...]:
+    """The slip elements that are tyres of axles, each with the places of its rows among all slip rows."""
+    names = {name for wheel in system.wheels for name in (wheel.axle, *(f"{wheel.name}.{way}" for way in WAYS))}
+    found, row = [], 0
+    for item in system.slip:
+        rows = tuple(range(row, row + len(item.coefficients)))
+        if item.connection.name in names:
+            found.append((item, rows))
+        row += len(rows)
+    return tuple(found)
