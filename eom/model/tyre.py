@@ -11,16 +11,15 @@ from eom.assembly.matrices import DISPLACEMENTS, VELOCITIES
 from eom.assembly.vectors import Array
 from eom.errors import EquilibriumError
 from eom.model.assembly import prepared_for
+from eom.model.linear import LinearModel, linearise
 from eom.splice.limits import Limit, happened, limits, margins
-from eom.splice.multibody import LEAD, frame_motion
 from eom.splice.outputs import Signals, all_outputs, body_rates, placed
 from eom.splice.prepare import Prepared, input_names
 from eom.splice.rates import evaluate, rates
-from eom.splice.signals import output_names, signals
-from eom.splice.state import Evaluation, Model, sizes
+from eom.splice.signals import output_names, signals, spliced_states
+from eom.splice.state import Evaluation, Model
 from eom.splice.steady import steady
 from eom.splice.trim import TrimError
-from eom.vehicle.elements import System
 from eom.vehicle.load import Vehicle
 
 
@@ -127,7 +126,7 @@ def build_tyre_model(vehicle: Vehicle) -> TyreModel:
     system = prepared.system
     inputs, outputs = input_names(system), output_names(system)
     own = signals(system, prepared.pivots, [name for name, _ in inputs], vehicle.speed)
-    states = state_names(prepared)
+    states = spliced_states(prepared)
     return TyreModel(
         vehicle=vehicle,
         prepared=prepared,
@@ -142,27 +141,24 @@ def build_tyre_model(vehicle: Vehicle) -> TyreModel:
     )
 
 
-def state_names(prepared: Prepared) -> list[tuple[str, str]]:
-    """Names and units of the states."""
-    system, independent = prepared.system, prepared.matrices.reduction.independent
-    bodies = [body.name for body in system.bodies]
-    own = [int(k) for k in independent if k not in LEAD]
-    moved = np.any(frame_motion(system) != 0.0, axis=1)
-    names = [(f"{bodies[0]}.{name}", unit) for name, unit in (("x", "m"), ("y", "m"), ("yaw", "rad"))]
-    for k in own:
-        counted = f"_from_{bodies[0]}" if moved[k] else ""
-        names.append((f"{bodies[k // 6]}.{DISPLACEMENTS[k % 6]}{counted}", "m" if k % 6 < 3 else "rad"))
-    names += [(f"{bodies[k // 6]}.{VELOCITIES[k % 6]}", "m/s" if k % 6 < 3 else "rad/s") for k in map(int, independent)]
-    return names + other_states(system, prepared.model)
+def build(vehicle: Vehicle, fidelity: str | None = None) -> TyreModel | LinearModel:
+    """A vehicle's model: ``tyre``, the default where there are axles with tyres, or ``linear``.
 
-
-def other_states(system: System, p: Model) -> list[tuple[str, str]]:
-    """Names and units of spins and of what lags."""
-    *_, drive, brake = sizes(p)
-    names = [(f"{system.wheels[k].name}.spin", "rad/s") for k in p.contact.spinning]
-    names += [(f"{system.wheels[k].name}.slip_angle", "rad") for k in p.contact.relaxing]
-    names += [("drive_torque", "N*m")] * drive
-    return names + [(f"{wheel.name}.brake_torque", "N*m") for wheel in system.wheels[:brake]]
+    Raises
+    ------
+    ValueError
+        For another word than these.
+    DescriptionError, EquilibriumError, SingularError, OutputError
+        As `build_tyre_model` and `eom.linearise`.
+    """
+    match fidelity or ("tyre" if vehicle.system.wheels else "linear"):
+        case "tyre":
+            return build_tyre_model(vehicle)
+        case "linear":
+            return linearise(vehicle)
+        case other:
+            message = f"fidelity = {other!r}: expected 'tyre' or 'linear'"
+            raise ValueError(message)
 
 
 def tyre_slopes(model: TyreModel, x: ArrayLike, u: ArrayLike) -> tuple[Array, Array]:

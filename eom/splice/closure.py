@@ -120,7 +120,11 @@ def close(prepared: Prepared) -> Closed:
         (item[:, :known] + item[:, known:] @ found) @ counted for item in (np.vstack(rates), p, w, dw, load)
     )
     rates_ = moved @ rates_
-    return Closed(rates_[:, :states], rates_[:, states:], p, w, dw, load)
+    A, B = rates_[:, :states], rates_[:, states:]
+    # place and heading change nothing but that a heading leads aside
+    A[:, :frame] = 0.0
+    A[1, 2] = U
+    return Closed(A, B, p, w, dw, load)
 
 
 def level(prepared: Prepared, p: Array) -> Array:

@@ -1,12 +1,16 @@
-"""The outputs of a vehicle with wheels: their names and units, and what they are made of."""
+"""States and outputs of a vehicle with wheels: their names and units, and what outputs are made of."""
 
 import numpy as np
 
+from eom.assembly.matrices import DISPLACEMENTS, VELOCITIES
 from eom.assembly.reduction import Pivots
 from eom.assembly.rows import force_directions, row_count
 from eom.assembly.state_space import output_row
 from eom.assembly.vectors import Array, array
+from eom.splice.multibody import LEAD, frame_motion
 from eom.splice.outputs import ACCELERATION, POSITION, VELOCITY, Signals
+from eom.splice.prepare import Prepared
+from eom.splice.state import Model, sizes
 from eom.vehicle.elements import System, Unit
 
 QUANTITIES = {"position": POSITION, "velocity": VELOCITY, "acceleration": ACCELERATION}
@@ -93,3 +97,26 @@ def coupling_forces(system: System, pivots: Pivots, units: tuple[Unit, ...]) -> 
                 result[at : at + 3, pivots.rows.index(row + k)] = direction
         row += row_count(connection)
     return result
+
+
+def spliced_states(prepared: Prepared) -> list[tuple[str, str]]:
+    """Names and units of the states."""
+    system, independent = prepared.system, prepared.matrices.reduction.independent
+    bodies = [body.name for body in system.bodies]
+    own = [int(k) for k in independent if k not in LEAD]
+    moved = np.any(frame_motion(system) != 0.0, axis=1)
+    names = [(f"{bodies[0]}.{name}", unit) for name, unit in (("x", "m"), ("y", "m"), ("yaw", "rad"))]
+    for k in own:
+        counted = f"_from_{bodies[0]}" if moved[k] else ""
+        names.append((f"{bodies[k // 6]}.{DISPLACEMENTS[k % 6]}{counted}", "m" if k % 6 < 3 else "rad"))
+    names += [(f"{bodies[k // 6]}.{VELOCITIES[k % 6]}", "m/s" if k % 6 < 3 else "rad/s") for k in map(int, independent)]
+    return names + other_states(system, prepared.model)
+
+
+def other_states(system: System, p: Model) -> list[tuple[str, str]]:
+    """Names and units of spins and of what lags."""
+    *_, drive, brake = sizes(p)
+    names = [(f"{system.wheels[k].name}.spin", "rad/s") for k in p.contact.spinning]
+    names += [(f"{system.wheels[k].name}.slip_angle", "rad") for k in p.contact.relaxing]
+    names += [("drive_torque", "N*m")] * drive
+    return names + [(f"{wheel.name}.brake_torque", "N*m") for wheel in system.wheels[:brake]]
