@@ -57,12 +57,12 @@ class AxleLike(AxleKeys):
 def tells_axle(value: object) -> str:
     """Which of the forms of an axle a mapping has."""
     if isinstance(value, AxleKeys):
-        return "on_group" if isinstance(value, Axle) else "on_bodies" if isinstance(value, WheelAxle) else "like"
+        return "on_group" if isinstance(value, Axle) else "on_bodies" if isinstance(value, WheelAxle) else "as_another"
     given = as_mapping(value)
-    return "like" if "like" in given else "on_bodies" if "bodies" in given else "on_group"
+    return "as_another" if "like" in given else "on_bodies" if "bodies" in given else "on_group"
 
 
 AnyAxle = Annotated[
-    Annotated[Axle, Tag("on_group")] | Annotated[WheelAxle, Tag("on_bodies")] | Annotated[AxleLike, Tag("like")],
+    Annotated[Axle, Tag("on_group")] | Annotated[WheelAxle, Tag("on_bodies")] | Annotated[AxleLike, Tag("as_another")],
     Discriminator(tells_axle),
 ]

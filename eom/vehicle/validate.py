@@ -113,7 +113,7 @@ ALTERNATIVES = frozenset(
         "on_bodies",
         "fitted",
         "from_file",
-        "like",
+        "as_another",
     }
 )
 
