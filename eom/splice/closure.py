@@ -15,11 +15,10 @@ from eom.splice.contact import FORWARD, LATERAL
 from eom.splice.laws import forces
 from eom.splice.multibody import frame_motion
 from eom.splice.prepare import Prepared
-from eom.splice.state import sizes
+from eom.splice.state import Model, sizes
 from eom.splice.trim import road_loads
 
 STEP = 1e-30
-ALPHA, KAPPA, LOAD, CAMBER, SPEED = range(5)
 
 
 class Closed(NamedTuple):
@@ -58,71 +57,98 @@ def slopes_at_trim(prepared: Prepared) -> Array:
     return np.array(result)
 
 
-def close(prepared: Prepared) -> Closed:
-    """The linear model about the trim."""
-    model, trim, matrices = prepared.model, prepared.trim, prepared.matrices
-    body, c, control = model.body, model.contact, model.control
-    U, reduction = trim.speed, matrices.reduction
-    equations = independent_equations(matrices)
-    frame, q, n, spin, side, drive, brake = sizes(model)
-    states, inputs, supports = frame + q + n + spin + side + drive + brake, len(control.demand), len(c.supports)
-    every = np.eye(states + inputs + supports)
-    parts = np.split(every, np.cumsum([frame + q, n, spin, side, drive, brake, inputs]))
-    q_, n_, spin_, side_, drive_, brake_, u_, support_ = parts
-    w, p = reduction.W @ n_ + reduction.Z @ q_, reduction.T @ q_
-    dp = w - matrices.V @ p
-    steer, omega = control.steer @ u_, (c.rows[FORWARD] @ w) / c.radius[:, np.newaxis]
-    omega[c.spinning] = spin_
-    kinematic = (c.rows[LATERAL] @ w) / U - steer
-    alpha = kinematic + 0.0
-    alpha[c.relaxing] = side_
-    turned = (1.0 + trim.slip)[:, np.newaxis]
+class Columns(NamedTuple):
+    """Parts of the unknowns, each an array whose columns multiply states, inputs and loads of the supports."""
+
+    q: Array
+    n: Array
+    spin: Array
+    side: Array
+    drive: Array
+    brake: Array
+    u: Array
+    support: Array
+
+
+def columns(model: Model) -> Columns:
+    """The unknowns themselves; q with the place of the frame."""
+    frame, q, *others = sizes(model)
+    lengths = [frame + q, *others, len(model.control.demand), len(model.contact.supports)]
+    return Columns(*np.split(np.eye(sum(lengths)), np.cumsum(lengths[:-1])))
+
+
+class WheelColumns(NamedTuple):
+    """What wheels do, by the unknowns.
+
+    Slip angle by kinematics, whole torque on the wheel, load, (w, columns) each; generalised forces on the bodies,
+    (N, columns).
+    """
+
+    side: Array
+    torque: Array
+    load: Array
+    force: Array
+
+
+def wheels(prepared: Prepared, unknown: Columns, w: Array, p: Array) -> WheelColumns:
+    """Slopes of what the wheels do, with velocities w and displacements p by the unknowns."""
+    model, trim = prepared.model, prepared.trim
+    c, control, U = model.contact, model.control, trim.speed
+    radius, forward = c.radius[:, np.newaxis], c.rows[FORWARD] @ w
     spinning = np.zeros((len(c.number), 1))
     spinning[c.spinning] = 1.0
-    kappa = spinning * (c.radius[:, np.newaxis] * omega - turned * (c.rows[FORWARD] @ w)) / U
-    load = c.share @ support_ + (c.rolled + c.sprung) @ p + c.damped @ dp
-    arguments = np.array([alpha, kappa, load, c.lean @ p, c.rows[FORWARD] @ w])
+    steer, omega = control.steer @ unknown.u, forward / radius
+    omega[c.spinning] = unknown.spin
+    side = (c.rows[LATERAL] @ w) / U - steer
+    alpha = side + 0.0
+    alpha[c.relaxing] = unknown.side
+    kappa = spinning * (radius * omega - (1.0 + trim.slip)[:, np.newaxis] * forward) / U
+    load = c.share @ unknown.support + (c.rolled + c.sprung) @ p + c.damped @ (w - prepared.matrices.V @ p)
+    arguments = np.array([alpha, kappa, load, c.lean @ p, forward])
     Fx, Fy, Mx, My, Mz = np.einsum("acw,aws->cws", slopes_at_trim(prepared), arguments)
-    torque = np.outer(control.drive, drive_[0] if drive else control.demand @ u_)
-    torque -= brake_ if brake else control.brake @ u_
-    Fx = spinning * Fx + (1.0 - spinning) * (torque + My) / c.radius[:, np.newaxis]
+    torque = np.outer(control.drive, unknown.drive[0] if len(unknown.drive) else control.demand @ unknown.u)
+    torque -= unknown.brake if len(unknown.brake) else control.brake @ unknown.u
+    Fx = spinning * Fx + (1.0 - spinning) * (torque + My) / radius
     Fx0, Fy0, Mx0, _, _ = trim.forces[:, :, np.newaxis]
-    on_body = np.array(
-        [
-            Fx - Fy0 * steer,
-            Fy + Fx0 * steer,
-            Mx + c.lever[:, np.newaxis] * load,
-            Mx0 * steer - spinning * torque,
-            Mz,
-            0.0 * Fx,
-        ]
-    )
+    rolling = Mx + c.lever[:, np.newaxis] * load
+    on_body = np.array((Fx - Fy0 * steer, Fy + Fx0 * steer, rolling, Mx0 * steer - spinning * torque, Mz, 0.0 * Fx))
+    return WheelColumns(side, torque + My - radius * Fx, load, np.einsum("kwn,kws->ns", c.rows, on_body))
+
+
+def close(prepared: Prepared) -> Closed:
+    """The linear model about the trim."""
+    model, matrices, U = prepared.model, prepared.matrices, prepared.trim.speed
+    body, c, control, reduction = model.body, model.contact, model.control, matrices.reduction
+    equations, unknown = independent_equations(matrices), columns(model)
+    q, n, _, lagging, drive, brake, u, _ = unknown
+    w, p = reduction.W @ n + reduction.Z @ q, reduction.T @ q
+    wheel = wheels(prepared, unknown, w, p)
     drag = 2.0 * U * control.drags.T @ (control.drag_factor[:, np.newaxis] * (control.drags @ w))
-    force = np.einsum("kwn,kws->ns", c.rows, on_body) - drag + level(prepared, p)
-    pushed = reduction.W.T @ (force + body.B @ u_) - equations.C @ n_ - equations.K @ q_
-    dn = np.zeros_like(n_)
+    force = wheel.force - drag + level(prepared, p) + body.B @ u
+    pushed = reduction.W.T @ force - equations.C @ n - equations.K @ q
+    dn = np.zeros_like(n)
     free = slice(1, None) if body.held else slice(None)
     dn[free] = np.linalg.solve(equations.M[free, free], pushed[free])
-    dq = equations.Qq @ q_ + equations.Qn @ n_
+    dq = equations.Qq @ q + equations.Qn @ n
     dw = reduction.W @ dn + reduction.Z @ dq
-    lacking = matrices.M @ dw + matrices.C @ w + matrices.K @ p - body.B @ u_ - force
-    carried = (body.react @ lacking)[c.supports]
-    rates = [dq, dn, control.spin @ (torque + My - c.radius[:, np.newaxis] * Fx)]
-    rates.append((kinematic[c.relaxing] - side_) * (U / c.relaxation)[:, np.newaxis])
-    if drive:
-        rates.append((control.demand @ u_ - drive_) / control.drive_lag)
-    if brake:
-        rates.append((control.brake @ u_ - brake_) / control.brake_lag)
-    known = states + inputs
-    found = np.linalg.solve(np.eye(supports) - carried[:, known:], carried[:, :known])
-    counted, moved = from_frame(prepared, states + inputs)
+    carried = (body.react @ (matrices.M @ dw + matrices.C @ w + matrices.K @ p - force))[c.supports]
+    relaxing = (wheel.side[c.relaxing] - lagging) * (U / c.relaxation)[:, np.newaxis]
+    rates = [dq, dn, control.spin @ wheel.torque, relaxing]
+    if len(drive):
+        rates.append((control.demand @ u - drive) / control.drive_lag)
+    if len(brake):
+        rates.append((control.brake @ u - brake) / control.brake_lag)
+    # the supports' loads are what the accelerations make them
+    known = w.shape[1] - len(c.supports)
+    found = np.linalg.solve(np.eye(len(c.supports)) - carried[:, known:], carried[:, :known])
+    counted, moved = from_frame(prepared, known)
     rates_, p, w, dw, load = (
-        (item[:, :known] + item[:, known:] @ found) @ counted for item in (np.vstack(rates), p, w, dw, load)
+        (item[:, :known] + item[:, known:] @ found) @ counted for item in (np.vstack(rates), p, w, dw, wheel.load)
     )
-    rates_ = moved @ rates_
-    A, B = rates_[:, :states], rates_[:, states:]
+    states = len(rates_)
+    A, B = np.split(moved @ rates_, [states], axis=1)
     # place and heading change nothing but that a heading leads aside
-    A[:, :frame] = 0.0
+    A[:, :3] = 0.0
     A[1, 2] = U
     return Closed(A, B, p, w, dw, load)
 
