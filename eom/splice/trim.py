@@ -65,13 +65,13 @@ def solve_trim(
         loads = wheel_loads(acting, pivots, matrices)
         if np.all(np.abs(loads - now.load) <= SETTLED * np.max(np.abs(loads), initial=1.0)):
             break
+        check_loads(wheels, loads)
         if groups is None:
             laws = law_groups(wheels, system.tyres, loads)
         slip, found, torque = rolling(system, laws or (), loads, now.slip, speed, held=held)
         now = Trim(speed, loads, slip, (1.0 + slip) * speed / radius, found, torque)
     else:
         raise TrimError(wheels[0].name, "loads and resistance of the straight run do not settle")
-    check_loads(wheels, loads)
     return now, laws or (), matrices
 
 
