@@ -1,9 +1,13 @@
 """What several tests of the spliced model share: models built once, and parts of their states."""
 
+from collections.abc import Callable, Sequence
 from functools import cache
+from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.integrate import solve_ivp
 
 from eom.model.tyre import TyreModel, build_tyre_model
 from eom.splice.state import sizes
@@ -58,3 +62,24 @@ def by_name(found: TyreModel, **signals: float) -> Array:
             raise KeyError(name)
         result[own] = value
     return result
+
+
+class Piece(NamedTuple):
+    """A run between two corners of its inputs; ``state`` gives the state at a time between them."""
+
+    first: float
+    last: float
+    state: Callable[[float], Array]
+
+
+def march(
+    rates: Callable[[float, Array], Array], start: Array, corners: Sequence[float], relative: float = 1e-9
+) -> list[Piece]:
+    """A motion from corner to corner of its inputs, by Runge and Kutta of the eighth order."""
+    pieces = []
+    for first, last in pairwise(corners):
+        run = solve_ivp(rates, (first, last), start, "DOP853", dense_output=True, rtol=relative, atol=relative)
+        assert run.success
+        pieces.append(Piece(first, last, run.sol))
+        start = run.y[:, -1]
+    return pieces

@@ -7,11 +7,10 @@ the displacements, in which they are linear.
 
 import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
 
 from eom.model.tyre import TyreModel
 from tests.splice.powers import Powers, kinetic_energy, powers
-from tests.splice.shared import RICH, STEP, Array, by_name, model, places
+from tests.splice.shared import RICH, STEP, Array, by_name, march, model, places
 
 SPRUNG = ("a_train_double", "b_train", "tractor_semitrailer")
 SEEDS = range(5)
@@ -99,22 +98,21 @@ def test_a_manoeuvre_of_the_b_train_keeps_its_balance() -> None:
     def inputs(t: float) -> Array:
         steer = by_name(found, axle_1__steer=np.radians(2.0) * np.sin(0.8 * np.pi * t) if t < 2.5 else 0.0)
         # brakes come and go without a corner
-        return start.u + steer + braking * np.sin(np.pi * (t - 1.0) / 2.0) ** 2 * (1.0 < t < 3.0)
+        pressure = braking * np.sin(np.pi * (t - 1.0) / 2.0) ** 2 * (1.0 < t < 3.0)
+        return np.asarray(start.u + steer + pressure)
 
-    x, works = start.x, np.zeros(len(Powers._fields))
+    works = np.zeros(len(Powers._fields))
     nodes, weights = np.polynomial.legendre.leggauss(4)
-    for first, last in ((0.0, 1.0), (1.0, 2.5), (2.5, 3.0), (3.0, 4.0)):
-        run = solve_ivp(
-            lambda t, x: found.rhs(t, x, inputs(t)), (first, last), x, "DOP853", dense_output=True, rtol=1e-9, atol=1e-9
-        )
+    run = march(lambda t, x: found.rhs(t, x, inputs(t)), start.x, (0.0, 1.0, 2.5, 3.0, 4.0))
+    for first, last, state in run:
         panels = round((last - first) / 0.03)
         half = (last - first) / (2 * panels)
         for k in range(panels):
             times = first + half * (2 * k + 1 + nodes)
             for t, weight in zip(times, weights, strict=True):
                 u = inputs(t)
-                works += half * weight * np.array(powers(found, found.evaluated(run.sol(t), u), u))
-        x = run.y[:, -1]
+                works += half * weight * np.array(tuple(powers(found, found.evaluated(state(t), u), u)))
+    x = run[-1].state(run[-1].last)
     gained = (kinetic_energy(found, x) - kinetic_energy(found, start.x)).real
     done = Powers(*works)
     size = sum(map(abs, done))
