@@ -80,6 +80,7 @@ def march(
     for first, last in pairwise(corners):
         run = solve_ivp(rates, (first, last), start, "DOP853", dense_output=True, rtol=relative, atol=relative)
         assert run.success
+        assert run.sol is not None
         pieces.append(Piece(first, last, run.sol))
         start = run.y[:, -1]
     return pieces
