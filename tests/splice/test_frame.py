@@ -70,7 +70,7 @@ def mirrored_inputs(found: TyreModel, u: Array) -> Array:
     """Inputs in a mirror: sides change places, steer and moments about x and z change their sign."""
     other, _ = mirror(found.inputs)
     odd = [name.endswith((".steer", ".roll_moment", ".yaw_moment")) for name in found.inputs]
-    return np.where(odd, -1.0, 1.0) * u[other]
+    return np.asarray(np.where(odd, -1.0, 1.0) * u[other])
 
 
 @pytest.mark.parametrize("name", SIMPLE + RICH)
