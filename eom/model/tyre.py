@@ -12,7 +12,7 @@ from eom.assembly.vectors import Array
 from eom.errors import EquilibriumError
 from eom.model.assembly import prepared_for
 from eom.model.linear import LinearModel, linearise
-from eom.splice.limits import Limit, happened, limits, margins
+from eom.splice.limits import Limit, all_margins, happened, limits
 from eom.splice.outputs import Signals, all_outputs, body_rates, placed
 from eom.splice.prepare import Prepared, input_names
 from eom.splice.rates import evaluate, rates
@@ -92,7 +92,7 @@ class TyreModel:
 
     def margins(self, x: ArrayLike, u: ArrayLike) -> Array:
         """How far each limit is away, negative beyond it; continuous, so that a solver can find where it is zero."""
-        found: Array = margins(self.evaluated(x, u), self.numbers, self.signals)
+        found: Array = all_margins(self.evaluated(x, u), self.numbers, self.signals)
         return found
 
     def trim(self, speed: float | None = None) -> Run:
