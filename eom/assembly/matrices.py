@@ -46,7 +46,7 @@ class Matrices(NamedTuple):
     H : Array
         Elastic rows; their stiffness and damping, block-diagonal, in ``H_stiffness`` and ``H_damping``.
     H_slip : Array
-        Slip rows, kept apart, with their coefficients ``Theta``: C contains H_slip' Theta H_slip.
+        Slip rows, kept apart, with their coefficients ``D_slip``: C contains H_slip' D_slip H_slip.
     F, G : Array
         Generalised force per input and per rate of input, (N, inputs).
     f : Array
@@ -71,7 +71,7 @@ class Matrices(NamedTuple):
     H_stiffness: Array
     H_damping: Array
     H_slip: Array
-    Theta: Array
+    D_slip: Array
     F: Array
     G: Array
     f: Array

@@ -113,9 +113,9 @@ class Assembly:
         return self.matrices.H_slip
 
     @property
-    def Theta(self) -> Array:
-        """Slip coefficients: force is minus Theta times slip velocity."""
-        return self.matrices.Theta
+    def D_slip(self) -> Array:
+        """Slip coefficients: force is minus D_slip times slip velocity."""
+        return self.matrices.D_slip
 
     @property
     def reduction(self) -> Reduction:

@@ -62,10 +62,10 @@ def reformulate(vehicle: Vehicle | Assembly) -> Reformulation:
         raise DescriptionError([assembly.vehicle.mistake("", "has no axles with tyres that could be taken out")])
     matrices, speed = assembly.matrices, assembly.vehicle.speed
     at = [row for _, rows in tyres for row in rows]
-    H, coefficients = matrices.H_slip[at], matrices.Theta[np.ix_(at, at)]
+    H, coefficients = matrices.H_slip[at], matrices.D_slip[np.ix_(at, at)]
     # the first entry of an element is its stiffness over the speed; others, such as trail, are multiples of it
     own = [array(item.coefficients) for item, _ in tyres]
-    unity = block_diagonal([item / (item[0, 0] * speed) for item in own], DENSE)
+    unity = block_diagonal([item / (item[0, 0] * speed) if item[0, 0] else 0.0 * item for item in own], DENSE)
     Theta = H.T @ coefficients @ H
     C_rest = assembly.C - Theta
     R, L = assembly.R, assembly.L

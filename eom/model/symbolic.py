@@ -21,7 +21,7 @@ from eom.vehicle.expression import names as parameter_names
 from eom.vehicle.load import Vehicle
 from eom.vehicle.values import in_order, why_unknown, with_entries
 
-FULL = ("M", "C", "K", "V", "J", "Jn", "H", "H_slip", "Theta", "F", "G")
+FULL = ("M", "C", "K", "V", "J", "Jn", "H", "H_slip", "D_slip", "F", "G")
 REDUCTION = ("T", "W", "Z")
 
 
@@ -40,7 +40,7 @@ class SymbolicAssembly:
         (N, N), see `eom.assembly.matrices.Matrices`.
     J, Jn, H, H_slip : sympy.ImmutableMatrix
         Constraint, rolling, elastic and slip rows over the N coordinates.
-    Theta : sympy.ImmutableMatrix
+    D_slip : sympy.ImmutableMatrix
         Slip coefficients.
     F, G : sympy.ImmutableMatrix
         Forces of inputs and of their rates, (N, inputs).
@@ -64,7 +64,7 @@ class SymbolicAssembly:
     Jn: sympy.ImmutableMatrix
     H: sympy.ImmutableMatrix
     H_slip: sympy.ImmutableMatrix
-    Theta: sympy.ImmutableMatrix
+    D_slip: sympy.ImmutableMatrix
     F: sympy.ImmutableMatrix
     G: sympy.ImmutableMatrix
     E: sympy.ImmutableMatrix

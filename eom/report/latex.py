@@ -11,7 +11,7 @@ from eom.model.symbolic import SymbolicAssembly
 WIDTH = 95
 COMMAND = re.compile(r"\\(?:mathrm|left|right|frac|sqrt|quad|,|;)|[{}^_\\ ]")
 SPECIAL = {**{c: f"\\{c}" for c in "&%$#_{}"}, "\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\^{}"}
-LETTERS = {"Jn": "J_n", "H_slip": "H_s", "Theta": r"\Theta", "B_rate": "B_r"}
+LETTERS = {"Jn": "J_n", "H_slip": "H_s", "D_slip": "D_s", "B_rate": "B_r"}
 
 HEAD = r"""\documentclass[9pt]{extarticle}
 \usepackage[utf8]{inputenc}
@@ -28,7 +28,7 @@ velocities $w$ in body axes are small, about the trim:
 M \dot w + C w + K p = F u + G \dot u + J^{\mathsf T} \lambda, \qquad \dot p + V p - w = 0, \qquad J p = 0,
 \qquad J_n w = 0 .
 \end{gather*}
-Slip rows $H_s$ with their coefficients $\Theta$ are part of $C$, which contains $H_s^{\mathsf T} \Theta H_s$. Entries
+Slip rows $H_s$ with their coefficients $D_s$ are part of $C$, which contains $H_s^{\mathsf T} D_s H_s$. Entries
 that are not listed are zero. SI units and radians.
 """
 REDUCED = r"""The constraints leave the displacements and velocities
@@ -47,7 +47,7 @@ def latex_document(assembly: SymbolicAssembly) -> str:
         "J_n": numeric.rolling_rows,
         "H_s": numeric.slip_rows,
     }
-    full = ("M", "C", "K", "V", "J", "Jn", "H_slip", "Theta", "F", "G")
+    full = ("M", "C", "K", "V", "J", "Jn", "H_slip", "D_slip", "F", "G")
     blocks = [
         HEAD,
         rf"\section*{{{text(numeric.vehicle.name)}}}",

@@ -13,6 +13,9 @@ from eom.assembly.vectors import Array
 from eom.model.assembly import Assembly
 from eom.model.linear import state_names
 from eom.report.table import table
+from eom.report.wheels import wheel_tables
+from eom.splice.prepare import input_names
+from eom.splice.signals import output_names, spliced_states
 
 # groups of redundant joints that a reader can take in
 SHOWN = 6
@@ -24,7 +27,8 @@ def summary(assembly: Assembly) -> str:
         "\n".join(heading(assembly)),
         "\n".join(counts(assembly)),
         "\n".join(trim(assembly)),
-        *load_tables(trim_loads(assembly)),
+        *load_tables(trim_loads(assembly), wheels=assembly.prepared is not None),
+        *(wheel_tables(assembly.prepared) if assembly.prepared is not None else ()),
         *deflections(assembly),
     ]
     return "\n\n".join(blocks) + "\n"
@@ -47,7 +51,9 @@ def counts(assembly: Assembly) -> Iterator[str]:
     yield f"constraints         {total}, rank {rank}, {redundancy(assembly, total - rank)}"
     if assembly.Jn.shape[0]:
         yield f"rolling constraints {assembly.Jn.shape[0]}, rank {len(pivots.rolling_rows)}"
-    yield f"degrees of freedom  {q}" + (f" ({n} in velocity)" if n != q else "")
+    spins = 0 if assembly.prepared is None else len(assembly.prepared.model.contact.spinning)
+    own = f" ({q} of bodies, {spins} wheel spins)" if spins else ""
+    yield f"degrees of freedom  {q + spins}{own}" + (f" ({n} in velocity)" if n != q else "")
     locked = locked_joints(assembly.system, reduction)
     if locked:
         yield f"locked by loops     {', '.join(locked)}: free by themselves, but their loops let nothing move there"
@@ -57,10 +63,20 @@ def counts(assembly: Assembly) -> Iterator[str]:
     if massless:
         how = "placed by dampers or stiffness alone"
         yield textwrap.fill(f"without inertia     {', '.join(massless)}: {how}", 100, subsequent_indent=" " * 20)
-    names, _ = state_names(assembly)
-    cyclic = ", ".join(names[k] for k in pivots.cyclic) or "none"
-    yield f"states              {len(names)}, of which cyclic: {cyclic}"
-    yield f"inputs, outputs     {len(assembly.system.inputs)}, {len(assembly.system.outputs)}"
+    yield from signal_counts(assembly)
+
+
+def signal_counts(assembly: Assembly) -> Iterator[str]:
+    """States, with the cyclic ones, inputs and outputs."""
+    prepared, system = assembly.prepared, assembly.system
+    if prepared is None:
+        names, cyclic = list(state_names(assembly)[0]), assembly.pivots.cyclic
+        inputs, outputs = len(system.inputs), len(system.outputs)
+    else:
+        names, cyclic = [name for name, _ in spliced_states(prepared)], (0, 1, 2)
+        inputs, outputs = len(input_names(prepared.system)), len(output_names(prepared.system))
+    yield f"states              {len(names)}, of which cyclic: {', '.join(names[k] for k in cyclic) or 'none'}"
+    yield f"inputs, outputs     {inputs}, {outputs}"
 
 
 def redundancy(assembly: Assembly, number: int) -> str:
@@ -96,21 +112,15 @@ def trim(assembly: Assembly) -> Iterator[str]:
     yield f"equilibrium         by {how}, largest remainder {worst:.1e} N or N m"
 
 
-def load_tables(loads: TrimLoads) -> Iterator[str]:
-    """Tables of the loads that there are."""
+def load_tables(loads: TrimLoads, *, wheels: bool) -> Iterator[str]:
+    """Tables of the loads that there are; those of axles where no table of *wheels* tells them."""
     if loads.supports:
         yield table(
             ("support", "force z [N]", "moment x [N m]", "moment y [N m]"),
             ((name, number(f[2]), number(m[0]), number(m[1])) for name, (f, m) in loads.supports.items()),
         )
-    known = {name: load for name, load in loads.axles.items() if load is not None}
-    if known:
-        yield table(("axle", "load [N]"), ((name, number(load)) for name, load in known.items()))
-    if len(known) < len(loads.axles):
-        others = ", ".join(name for name in loads.axles if name not in known)
-        yield textwrap.fill(
-            f"loads of {others} are not told apart: their axle groups have no 'support' of their own", 100
-        )
+    if not wheels:
+        yield from axle_loads(loads)
     if loads.preloads:
         yield table(
             ("spring, bushing or tyre", "preload [N, N m]"),
@@ -123,6 +133,18 @@ def load_tables(loads: TrimLoads) -> Iterator[str]:
         )
     if loads.hold is not None:
         yield f"force that holds the speed: {number(loads.hold)} N"
+
+
+def axle_loads(loads: TrimLoads) -> Iterator[str]:
+    """Table of the axles' loads, and a sentence on those that are not known."""
+    known = {name: load for name, load in loads.axles.items() if load is not None}
+    if known:
+        yield table(("axle", "load [N]"), ((name, number(load)) for name, load in known.items()))
+    if len(known) < len(loads.axles):
+        others = ", ".join(name for name in loads.axles if name not in known)
+        yield textwrap.fill(
+            f"loads of {others} are not told apart: their axle groups have no 'support' of their own", 100
+        )
 
 
 def deflections(assembly: Assembly) -> Iterator[str]:

@@ -12,7 +12,7 @@ from eom.assembly.rows import rows
 from eom.assembly.vectors import Array
 from eom.splice.contact import Contact, contacts, spliced
 from eom.splice.multibody import LEAD, Multibody, multibody
-from eom.splice.state import Control, Model, sizes
+from eom.splice.state import Control, Model
 from eom.splice.trim import Trim, solve_trim
 from eom.vehicle.elements import GROUND, Connection, System
 
@@ -150,16 +150,3 @@ def load_gain(body: Multibody, wheels: Contact) -> Array:
     W = body.W[:, free]
     moved = body.M @ W @ np.linalg.solve(mass[free, free], W.T)
     return (body.react @ (moved - np.eye(len(moved))))[wheels.supports]
-
-
-def trim_state(prepared: Prepared) -> tuple[Array, Array]:
-    """State and inputs of the trim."""
-    model, trim = prepared.model, prepared.trim
-    lengths = sizes(model)
-    x = np.zeros(sum(lengths))
-    starts = np.cumsum((0, *lengths))
-    x[starts[2]] = trim.speed
-    x[starts[3] : starts[4]] = trim.spin[model.contact.spinning]
-    if lengths[5]:
-        x[starts[5]] = trim.torque
-    return x, model.control.demand * trim.torque

@@ -84,6 +84,11 @@ def trim_loads(system: System, pivots: Pivots, matrices: Matrices) -> Array:
     return np.where(told, loads, UNLOADED)
 
 
+def loads_at_rest(system: System, pivots: Pivots) -> Array:
+    """Normal loads [N] of a vehicle without its wheels' linear forces that stands still."""
+    return wheel_loads(system, pivots, assemble_matrices(system, pivots))
+
+
 def check_loads(wheels: Sequence[Wheel], loads: Array) -> None:
     """Raise `TrimError` for a wheel that nothing presses on the road."""
     for wheel, load in zip(wheels, loads, strict=True):

@@ -41,7 +41,7 @@ def test_stiffness_per_wheel_counts_the_wheels() -> None:
     per_wheel = CAR.replace("per: axle, cornering: 80 kN/rad", "per: wheel, cornering: 40 kN/rad")
     np.testing.assert_array_equal(eom.assemble(eom.loads(per_wheel)).C, eom.assemble(eom.loads(CAR)).C)
     one_wheel = CAR.replace("steered: true}", "steered: true, wheels: 1}")
-    halved = eom.assemble(eom.loads(one_wheel)).matrices.Theta
+    halved = eom.assemble(eom.loads(one_wheel)).matrices.D_slip
     assert halved[0, 0] == pytest.approx(halved[1, 1] / 2)
 
 

@@ -107,7 +107,7 @@ class Solved:
         return self.plain.smallest()
 
 
-MATRICES = ("M", "C", "K", "V", "J", "Jn", "H", "H_slip", "Theta", "F", "G", "f")
+MATRICES = ("M", "C", "K", "V", "J", "Jn", "H", "H_slip", "D_slip", "F", "G", "f")
 
 
 @settings(max_examples=40, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow])

@@ -85,7 +85,7 @@ def test_an_airspeed_of_its_own_stands_for_the_trims() -> None:
     own = PLANE.replace("ADDED", "").replace("    density: 1.1\n", "    density: 1.1\n    speed: 70\n")
     one, other = (eom.assemble(eom.loads(file)) for file in (own, PLANE.replace("ADDED", "")))
     # half rho U S per velocity, half rho U^2 S per radian
-    np.testing.assert_allclose(one.matrices.Theta, other.matrices.Theta * 70 / 50, rtol=1e-13)
+    np.testing.assert_allclose(one.matrices.D_slip, other.matrices.D_slip * 70 / 50, rtol=1e-13)
     np.testing.assert_allclose(one.matrices.F, other.matrices.F * (70 / 50) ** 2, rtol=1e-13)
 
 

@@ -15,7 +15,7 @@ MATRIX = re.compile(
     r"\\subsection\*\{\$(\S+)\$, .*?\}\n(No entries\.|\\begin\{align\*\}\n(.*?)\n\\end\{align\*\})", re.DOTALL
 )
 ENTRY = re.compile(r"\S+?\((\d+), (\d+)\) &= (.*)", re.DOTALL)
-ATTRIBUTES = {"J_n": "Jn", "H_s": "H_slip", r"\Theta": "Theta", "B_r": "B_rate"}
+ATTRIBUTES = {"J_n": "Jn", "H_s": "H_slip", "D_s": "D_slip", "B_r": "B_rate"}
 
 
 def group(latex: str, start: int) -> tuple[str, int]:
@@ -48,7 +48,7 @@ def test_the_document_says_what_the_matrices_are(name: str) -> None:
     point = own.point(own.numeric)
     names = {symbol_name(symbol): float(number) for symbol, number in point.items()}
     found = MATRIX.findall(latex_document(own))
-    assert [letter for letter, *_ in found] == ["M", "C", "K", "V", "J", "J_n", "H_s", r"\Theta", *"FGEAB", "B_r"]
+    assert [letter for letter, *_ in found] == ["M", "C", "K", "V", "J", "J_n", "H_s", "D_s", *"FGEAB", "B_r"]
     for letter, _, body in found:
         matrix = getattr(own, ATTRIBUTES.get(letter, letter))
         read = np.zeros(matrix.shape)
