@@ -18,7 +18,7 @@ from eom.assembly.inertia import kinematic_entries, mass_entries, momentum_entri
 from eom.assembly.loads import load_stiffness, load_sums, with_weight
 from eom.assembly.reduction import Pivots, Reduction, reduce_coordinates
 from eom.assembly.rows import local_rows, row_count
-from eom.assembly.statics import Balance, Statics, equilibrium
+from eom.assembly.statics import Balancing, Statics, equilibrium
 from eom.assembly.tangent import tangent_entries
 from eom.assembly.triangle import triangle_carried
 from eom.assembly.vectors import Array, array, zeros
@@ -158,7 +158,7 @@ def carried_loads(system: System, items: list[Strained], statics: Statics) -> li
 
 
 def assemble_matrices(
-    system: System, pivots: Pivots, algebra: Algebra = DENSE, balance: Balance = equilibrium
+    system: System, pivots: Pivots, algebra: Algebra = DENSE, balance: Balancing = equilibrium
 ) -> Matrices:
     """Assemble a system's matrices about its trim, statics included, which *balance* solves.
 

@@ -51,7 +51,7 @@ class Statics(NamedTuple):
     deflection: Array
 
 
-class Balance(Protocol):
+class Balancing(Protocol):
     """What solves an equilibrium; see `equilibrium` for the arguments."""
 
     def __call__(

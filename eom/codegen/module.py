@@ -1,69 +1,64 @@
 """The generated module: the kernel that `eom` itself runs, and the vehicle as data for it."""
 
-import ast
-import inspect
 import keyword
 import re
 import sys
 import textwrap
 from importlib.metadata import version
 from pathlib import Path
-from types import ModuleType
-from typing import cast
+from typing import Any, cast
 
 import jinja2
 
-from eom.assembly import (
-    algebra,
-    beam,
-    checks,
-    cyclic,
-    elastic,
-    inertia,
-    loads,
-    massless,
-    matrices,
-    reduction,
-    state_space,
-    statics,
-    structure_checks,
-    tangent,
-    triangle,
-    vectors,
-)
-from eom.assembly import rows as jacobian
-from eom.codegen.source import literal, make_writer, parameter_text
+from eom.codegen.carried import carried
+from eom.codegen.source import Writer, literal, make_writer, parameter_text
+from eom.codegen.tyres import named_files, tyre_fields
 from eom.model.assembly import Assembly, assemble
 from eom.model.linear import linearise
-from eom.vehicle import elements
+from eom.model.tyre import build_tyre_model
+from eom.vehicle.elements import System
 from eom.vehicle.expression import Expression, Number, evaluate, python_text
 from eom.vehicle.expression import names as parameter_names
 from eom.vehicle.load import Vehicle
 from eom.vehicle.registry import Live
 from eom.vehicle.values import in_order
 
-KERNEL = (
-    elements,
-    vectors,
-    algebra,
-    jacobian,
-    inertia,
-    beam,
-    triangle,
-    elastic,
-    loads,
-    tangent,
-    reduction,
-    statics,
-    matrices,
-    massless,
-    cyclic,
-    state_space,
-    structure_checks,
-    checks,
+LINEAR_FILES = tuple(
+    f"eom.{name}"
+    for name in (
+        "vehicle.elements",
+        "assembly.checks",
+        "assembly.matrices",
+        "assembly.massless",
+        "assembly.reduction",
+        "assembly.state_space",
+        "assembly.statics",
+    )
+)
+TYRE_FILES = tuple(
+    f"eom.{name}"
+    for name in (
+        "vehicle.elements",
+        "assembly.checks",
+        "assembly.reduction",
+        "assembly.vectors",
+        "splice.closure",
+        "splice.kinds",
+        "splice.limits",
+        "splice.linear_outputs",
+        "splice.outputs",
+        "splice.prepare",
+        "splice.rates",
+        "splice.signals",
+        "splice.steady",
+        "splice.trim",
+        "tyre.interface",
+        "tyre.mf.coefficients",
+    )
 )
 SECTIONS = ("bodies", "constraints", "rolling", "elastic", "slip", "loads", "inputs", "outputs")
 ADDITIONS = ("bushings", "beams", "triangles")
+WHEELS = ("wheels", "tyres", "drags", "units")
 
 
 def write_module(vehicle: Vehicle | Assembly, folder: str | Path) -> Path:
@@ -83,18 +78,24 @@ def module_name(vehicle: Vehicle) -> str:
     """A Python identifier from the vehicle file's name."""
     stem = re.sub(r"\W", "_", Path(vehicle.file).stem) or "vehicle"
     # a module called numpy or class could not be imported, or would hide what it needs
-    taken = keyword.iskeyword(stem) or stem in sys.stdlib_module_names or stem in {"numpy", "eom"}
+    taken = keyword.iskeyword(stem) or stem in sys.stdlib_module_names or stem in {"numpy", "numba", "eom"}
     return f"vehicle_{stem}" if taken or not stem.isidentifier() else stem
 
 
 def module_text(vehicle: Vehicle | Assembly) -> str:
-    """Source of the module of a vehicle."""
+    """Source of the module of a vehicle: nonlinear where its axles' tyres are wheels alone, else linear."""
     assembly = vehicle if isinstance(vehicle, Assembly) else assemble(vehicle)
-    model = linearise(assembly)
     owner = assembly.vehicle
-    draft, zeros = owner.draft.system(), owner.draft.zeros
     writer, variables = make_writer(owner.draft)
-    speed = cast("Expression", owner.draft.speed)
+    if assembly.prepared is None:
+        system, pivots, modules, name = owner.draft.system(), assembly.pivots, LINEAR_FILES, "linear.py.jinja"
+        model = linearise(assembly)
+        further: dict[str, Any] = {}
+    else:
+        model = build_tyre_model(owner)
+        system, files = named_files(owner.draft.system())
+        pivots, modules, name = assembly.prepared.pivots, TYRE_FILES, "tyre.py.jinja"
+        further = tyre_fields(model, files)
     environment = jinja2.Environment(
         loader=jinja2.PackageLoader("eom.codegen"),
         autoescape=False,  # noqa: S701  Python source; every text of the file goes through `literal` or `one_line`
@@ -103,46 +104,67 @@ def module_text(vehicle: Vehicle | Assembly) -> str:
         keep_trailing_newline=True,
         undefined=jinja2.StrictUndefined,
     )
-    live = owner.draft.registry.parameters
-    given = {key: item for key, item in live.items() if isinstance(item.default, Number)}
-    order, _ = in_order({key: list(parameter_names(item.default)) for key, item in live.items()})
-    computed = {key: live[key] for key in order if key not in given}
-    return environment.get_template("module.py.jinja").render(
-        title=one_line(owner.name),
-        source="\n".join(textwrap.wrap(one_line(f"Source: {owner.description.source or 'not given.'}"), 108)),
-        version=version("eom-vehicle"),
-        name=literal(owner.name),
-        file=literal(Path(owner.file).name),
-        digest=literal(owner.digest),
-        given=[parameter_entry(key, item, literal(evaluate(item.default, {}))) for key, item in given.items()],
-        computed=[
-            parameter_entry(key, item, python_text(item.default, parameter_text)) for key, item in computed.items()
-        ],
-        bounds=[
-            (literal(key), bound_text(item.minimum, "-math.inf"), bound_text(item.maximum, "math.inf"))
-            for key, item in live.items()
-            if item.minimum is not None or item.maximum is not None
-        ],
-        zeros=[(python_text(item, parameter_text), literal(f"{path[1]}: {what}")) for item, path, what in zeros],
-        bodies=[(name, k) for k, name in enumerate(writer.bodies)],
-        speed="" if isinstance(speed, Number) else python_text(speed, parameter_text),
-        variables=variables,
-        gravity=writer.text(draft.gravity, 8, len("gravity=,")),
-        sections=[
-            (key, [writer.text(item, 12, 1) for item in getattr(draft, key)])
-            for key in (*SECTIONS, *(key for key in ADDITIONS if getattr(draft, key)))
-        ],
-        signals=[
-            (kind, [(literal(a), literal(b)) for a, b in zip(signals, units, strict=True)])
-            for kind, signals, units in (
+    template = environment.get_template(name)
+    fields = {
+        **vehicle_fields(owner),
+        **system_fields(system, writer, wheels=bool(further)),
+        **further,
+        "variables": variables,
+        "pivots": writer.text(pivots, 0, len("PIVOTS = ")),
+        "signals": [
+            (kind, [(literal(a), literal(b)) for a, b in zip(names, units, strict=True)])
+            for kind, names, units in (
                 ("STATES", model.states, model.state_units),
                 ("INPUTS", model.inputs, model.input_units),
                 ("OUTPUTS", model.outputs, model.output_units),
             )
         ],
-        pivots=writer.text(assembly.pivots, 0, len("PIVOTS = ")),
-        kernel=[kernel_section(module) for module in KERNEL],
-    )
+    }
+    sections, imports = carried(template.render(**fields, kernel=[], imports=""), modules)
+    return template.render(**fields, kernel=sections, imports=imports)
+
+
+def vehicle_fields(owner: Vehicle) -> dict[str, Any]:
+    """What the module says of the vehicle and its parameters."""
+    draft = owner.draft
+    speed = cast("Expression", draft.speed)
+    live = draft.registry.parameters
+    given = {key: item for key, item in live.items() if isinstance(item.default, Number)}
+    order, _ = in_order({key: list(parameter_names(item.default)) for key, item in live.items()})
+    computed = {key: live[key] for key in order if key not in given}
+    return {
+        "title": one_line(owner.name),
+        "source": "\n".join(textwrap.wrap(one_line(f"Source: {owner.description.source or 'not given.'}"), 108)),
+        "version": version("eom-vehicle"),
+        "name": literal(owner.name),
+        "file": literal(Path(owner.file).name),
+        "digest": literal(owner.digest),
+        "given": [parameter_entry(key, item, literal(evaluate(item.default, {}))) for key, item in given.items()],
+        "computed": [
+            parameter_entry(key, item, python_text(item.default, parameter_text)) for key, item in computed.items()
+        ],
+        "bounds": [
+            (literal(key), bound_text(item.minimum, "-math.inf"), bound_text(item.maximum, "math.inf"))
+            for key, item in live.items()
+            if item.minimum is not None or item.maximum is not None
+        ],
+        "zeros": [
+            (python_text(item, parameter_text), literal(f"{path[1]}: {what}")) for item, path, what in draft.zeros
+        ],
+        "speed": "" if isinstance(speed, Number) else python_text(speed, parameter_text),
+        "fixed_speed": literal(owner.speed),
+    }
+
+
+def system_fields(draft: System, writer: Writer, *, wheels: bool) -> dict[str, Any]:
+    """The elements as source."""
+    added = [key for key in (*ADDITIONS, *(WHEELS if wheels else ())) if getattr(draft, key)]
+    return {
+        "bodies": [(name, k) for k, name in enumerate(writer.bodies)],
+        "gravity": writer.text(draft.gravity, 8, len("gravity=,")),
+        "sections": [(key, [writer.text(item, 12, 1) for item in getattr(draft, key)]) for key in (*SECTIONS, *added)],
+        "drive": writer.text(draft.drive, 8, len("drive=,")) if wheels else "",
+    }
 
 
 def one_line(text: str) -> str:
@@ -163,13 +185,3 @@ def parameter_entry(name: str, item: Live, value: str) -> tuple[str, str, str, s
 def bound_text(bound: Expression | None, default: str) -> str:
     """A bound as source."""
     return default if bound is None else python_text(bound, parameter_text)
-
-
-def kernel_section(module: ModuleType) -> tuple[str, str]:
-    """First line of a kernel module's docstring, and its source without docstring and imports."""
-    text = inspect.getsource(module)
-    skipped = (ast.Import, ast.ImportFrom)
-    body = ast.parse(text).body[1:]
-    first = next(node for node in body if not isinstance(node, skipped))
-    start = min([first.lineno, *(node.lineno for node in getattr(first, "decorator_list", []))])
-    return (module.__doc__ or "").splitlines()[0], "\n".join(text.splitlines()[start - 1 :]).strip()

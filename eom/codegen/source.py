@@ -94,7 +94,7 @@ class Writer:
             fields: tuple[str, ...] = getattr(value, "_fields", ())
             defaults: dict[str, object] = getattr(value, "_field_defaults", {})
             pieces = [
-                f"{name}={self.body(part) if name in BODY_FIELDS else show(part, len(name) + 1)}"
+                f"{name}={self.body(part, indent) if name in BODY_FIELDS else show(part, len(name) + 1)}"
                 for name, part in zip(fields, value, strict=True)
                 if name not in defaults or plain(part) != defaults[name]
             ]
@@ -107,11 +107,16 @@ class Writer:
         comma = "," if opening == "(" and len(pieces) == 1 else ""
         return opening + ", ".join(pieces) + comma + closing
 
-    def body(self, value: object) -> str:
-        """Body numbers by the names of their constants; texts and tuples of bodies as they are."""
+    def body(self, value: object, indent: int | None = None) -> str:
+        """Body numbers by the names of their constants, on lines of their own if they need to; texts as they are."""
         match value:
             case tuple() if all(isinstance(part, int) for part in value):
-                return "(" + ", ".join(map(self.body, value)) + ")"
+                names = [self.body(part) for part in value]
+                one_line = f"({', '.join(names)}{',' if len(names) == 1 else ''})"
+                if indent is None or indent + len(one_line) < WIDTH:
+                    return one_line
+                lines = "".join(f"\n{' ' * (indent + 4)}{name}," for name in names)
+                return f"({lines}\n{' ' * indent})"
             case int():
                 return "GROUND" if value == GROUND else self.bodies[value]
             case _:

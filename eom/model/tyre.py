@@ -7,13 +7,12 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from eom.assembly.matrices import DISPLACEMENTS, VELOCITIES
 from eom.assembly.vectors import Array
 from eom.errors import EquilibriumError
 from eom.model.assembly import prepared_for
 from eom.model.linear import LinearModel, linearise
-from eom.splice.limits import Limit, happened, limits, margins
-from eom.splice.outputs import Signals, all_outputs, body_rates, placed
+from eom.splice.limits import Limit, all_margins, happened, limits
+from eom.splice.outputs import Signals, all_outputs, body_coordinates
 from eom.splice.prepare import Prepared, input_names
 from eom.splice.rates import evaluate, rates
 from eom.splice.signals import output_names, signals, spliced_states
@@ -92,7 +91,7 @@ class TyreModel:
 
     def margins(self, x: ArrayLike, u: ArrayLike) -> Array:
         """How far each limit is away, negative beyond it; continuous, so that a solver can find where it is zero."""
-        found: Array = margins(self.evaluated(x, u), self.numbers, self.signals)
+        found: Array = all_margins(self.evaluated(x, u), self.numbers, self.signals)
         return found
 
     def trim(self, speed: float | None = None) -> Run:
@@ -110,10 +109,7 @@ class TyreModel:
         coordinates of table F1 of Zhu's thesis, from its 40 states.
         """
         found = self.evaluated(x, np.zeros(len(self.inputs)))
-        values = np.concatenate((placed(found, self.signals), body_rates(found)))
-        bodies = [body.name for body in self.prepared.system.bodies]
-        names = [f"{body}.{name}" for kind in (DISPLACEMENTS, VELOCITIES) for body in bodies for name in kind]
-        return dict(zip(names, map(float, values), strict=True))
+        return body_coordinates(found, [body.name for body in self.prepared.system.bodies], self.signals)
 
 
 def build_tyre_model(vehicle: Vehicle) -> TyreModel:

@@ -16,9 +16,7 @@ from eom.splice.laws import forces
 from eom.splice.multibody import frame_motion
 from eom.splice.prepare import Prepared
 from eom.splice.state import Model, sizes
-from eom.splice.trim import road_loads
-
-STEP = 1e-30
+from eom.splice.trim import STEP, road_loads
 
 
 class Closed(NamedTuple):

@@ -80,7 +80,7 @@ def spliced(system: System) -> System:
     )
 
 
-def contact(system: System, pivots: Pivots, loads: Array, reactions: Array) -> Contact:
+def contacts(system: System, pivots: Pivots, loads: Array, reactions: Array) -> Contact:
     """The wheels of a system from which their linear forces have been taken out, with their loads at the trim [N].
 
     *reactions* are those of all constraint rows at the trim.

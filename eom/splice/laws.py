@@ -7,15 +7,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from eom.assembly.vectors import Array
-from eom.tyre.dugoff import Dugoff
+from eom.splice.kinds import KINDS
 from eom.tyre.interface import Tyre
-from eom.tyre.linear import Linear
-from eom.tyre.magic_formula import MagicFormula
 from eom.tyre.stack import stack
-from eom.tyre.tir.file import read_tir
 from eom.vehicle.elements import TyreLaw, Wheel
 
-COMBINED = ("ellipse", "cosine")
 UNLOADED = 1.0
 """Load [N] that stands for one that nothing tells, of wheels whose linear tyre asks for none."""
 
@@ -27,30 +23,6 @@ class LawGroup(NamedTuple):
     tyre: Any
 
 
-def fitted(law: TyreLaw, load: float, radius: float) -> Tyre:
-    """The tyre of a law, with the law's stiffnesses at a normal load [N], on a wheel of a radius [m]."""
-    common: dict[str, float] = {
-        "nominal_load": load,
-        "trail": law.trail,
-        "rolling_resistance": law.rolling_resistance,
-        "radius": radius,
-    }
-    given = dict(law.coefficients)
-    match law.kind:
-        case "magic_formula":
-            form = COMBINED[int(given.pop("combined", 0.0))]
-            # a wheel whose spin is no state has no longitudinal slip, whatever its stiffness
-            k_x = (law.longitudinal or law.cornering) / load
-            return MagicFormula(**common, k_y=law.cornering / load, k_x=k_x, combined=form, **given)  # type: ignore[arg-type]
-        case "dugoff":
-            longitudinal = law.longitudinal or law.cornering
-            return Dugoff(**common, cornering=law.cornering, longitudinal=longitudinal, **given)
-        case "tir":
-            return read_tir(law.file).tyre
-        case _:
-            return Linear(**common, cornering=law.cornering, longitudinal=law.longitudinal, camber=law.camber)
-
-
 def law_groups(wheels: Sequence[Wheel], laws: Sequence[TyreLaw], loads: Array) -> tuple[LawGroup, ...]:
     """The tyres of all wheels; each law is fitted at the mean of the loads [N] of the wheels that have it.
 
@@ -59,7 +31,7 @@ def law_groups(wheels: Sequence[Wheel], laws: Sequence[TyreLaw], loads: Array) -
     tyres: list[Tyre] = []
     for wheel in wheels:
         same = [load / other.number for load, other in zip(loads, wheels, strict=True) if other.tyre == wheel.tyre]
-        tyre = fitted(laws[wheel.tyre], float(np.mean(same)), wheel.radius)
+        tyre = KINDS[laws[wheel.tyre].kind](laws[wheel.tyre], float(np.mean(same)), wheel.radius)
         if hasattr(tyre, "on") and wheel.name.endswith((".left", ".right")):
             tyre = tyre.on(wheel.name.rsplit(".", maxsplit=1)[1])
         tyres.append(tyre)

@@ -12,7 +12,7 @@ from eom.splice.state import Evaluation, Model
 from eom.splice.wheels import free_loads
 from eom.vehicle.elements import System
 
-ARTICULATION, ROLL = np.radians(15.0), np.radians(10.0)
+SMALL_ARTICULATION, SMALL_ROLL = np.radians(15.0), np.radians(10.0)
 """Angles [rad] beyond which the displacements are not small any more."""
 JACKKNIFE = np.radians(30.0)
 """Rate of articulation [rad/s] of a train that folds up; lane changes stay below 15 deg/s."""
@@ -29,7 +29,7 @@ class Limit(NamedTuple):
 
 
 def limits(system: System) -> tuple[Limit, ...]:
-    """All that is watched of a vehicle, in the order of `margins`."""
+    """All that is watched of a vehicle, in the order of `all_margins`."""
     units = units_of(system)
     towed = [unit.name for unit in units[1:]]
     found = [
@@ -53,7 +53,7 @@ def limits(system: System) -> tuple[Limit, ...]:
     return tuple(found)
 
 
-def margins(evaluation: Evaluation, p: Model, s: Signals) -> Any:
+def all_margins(evaluation: Evaluation, p: Model, s: Signals) -> Any:
     """How far each of `limits` is away; negative beyond it."""
     _, at, slip, found = evaluation
     c = p.contact
@@ -62,9 +62,9 @@ def margins(evaluation: Evaluation, p: Model, s: Signals) -> Any:
     tread = slip.omega[c.spinning] * c.radius[c.spinning] - LOCKED * slip.forward[c.spinning]
     free = free_loads(at, found.assumed, p)
     parts: list[NDArray[np.float64]] = [
-        ARTICULATION - np.abs(angle),
+        SMALL_ARTICULATION - np.abs(angle),
         JACKKNIFE - np.sign(angle) * rate,
-        ROLL - np.abs(at.displaced[3::6]),
+        SMALL_ROLL - np.abs(at.displaced[3::6]),
         free,
         np.where(np.abs(slip.forward[c.spinning]) > 1.0, tread, 1.0),
     ]

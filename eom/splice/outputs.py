@@ -1,10 +1,12 @@
 """What a vehicle tells of itself at a state: measured motions, paths, slips, forces, loads, what couplings carry."""
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from eom.assembly.matrices import DISPLACEMENTS, VELOCITIES
 from eom.assembly.vectors import Array
 from eom.splice.motion import body_velocity, headed
 from eom.splice.state import Balance, Evaluation, Model, Motion, State
@@ -75,6 +77,13 @@ def placed(found: Evaluation, s: Signals) -> Any:
 def body_rates(found: Evaluation) -> Any:
     """Velocities of all bodies in their own axes, (N,)."""
     return body_velocity(found.motion, found.motion.w[0])
+
+
+def body_coordinates(found: Evaluation, bodies: Sequence[str], s: Signals) -> dict[str, float]:
+    """Displacements from the drawing and velocities in their own axes of all bodies, by name."""
+    names = [f"{body}.{name}" for kind in (DISPLACEMENTS, VELOCITIES) for body in bodies for name in kind]
+    values = np.concatenate((placed(found, s), body_rates(found)))
+    return dict(zip(names, map(float, values), strict=True))
 
 
 def turned_by(yaw: Any, offsets: Any) -> Any:

@@ -10,7 +10,7 @@ from eom.assembly.pivots import choose_coordinates
 from eom.assembly.reduction import Pivots
 from eom.assembly.rows import rows
 from eom.assembly.vectors import Array
-from eom.splice.contact import Contact, contact, spliced
+from eom.splice.contact import Contact, contacts, spliced
 from eom.splice.multibody import LEAD, Multibody, multibody
 from eom.splice.state import Control, Model
 from eom.splice.trim import Trim, solve_trim
@@ -52,14 +52,20 @@ def prepare(system: System, speed: float) -> Prepared:
 
     Raises `SpliceError` or `eom.splice.trim.TrimError` where there is none.
     """
+    rest = spliced(system)
+    check_free(rest, speed)
+    return prepare_with(system, speed, choose_coordinates(rest, DENSE))
+
+
+def prepare_with(system: System, speed: float, pivots: Pivots) -> Prepared:
+    """The same in coordinates that were chosen before."""
     held = any(item.moving for item in system.constraints)
     rest = spliced(system)
     check_free(rest, speed)
-    pivots = choose_coordinates(rest, DENSE)
     trim, laws, matrices = solve_trim(rest, pivots, speed, held=held)
     check_motions(rest, matrices)
     body = multibody(rest, pivots, matrices, held=held)
-    wheels = contact(rest, pivots, trim.load, matrices.statics.reactions)
+    wheels = contacts(rest, pivots, trim.load, matrices.statics.reactions)
     inputs = control(rest, wheels)
     others = np.zeros((len(body.M), len(inputs.demand) - body.B.shape[1]))
     body = body._replace(B=np.hstack((others, body.B)))

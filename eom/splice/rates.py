@@ -6,7 +6,7 @@ import numpy as np
 
 from eom.splice.balance import balance
 from eom.splice.motion import motion
-from eom.splice.state import Evaluation, Model, split
+from eom.splice.state import Evaluation, Model, split_state
 from eom.splice.wheels import LOW_SPEED, rolling
 from eom.tyre.contact import kept_above
 from eom.tyre.elementary import magnitude
@@ -14,7 +14,7 @@ from eom.tyre.elementary import magnitude
 
 def evaluate(x: Any, u: Any, p: Model) -> Evaluation:
     """What a state and inputs mean."""
-    state = split(x, p)
+    state = split_state(x, p)
     at = motion(state, p)
     slip = rolling(state, u, at, p)
     return Evaluation(state, at, slip, balance(state, u, at, slip, p))

@@ -135,7 +135,7 @@ def sizes(p: Model) -> tuple[int, ...]:
     )
 
 
-def split(x: Any, p: Model) -> State:
+def split_state(x: Any, p: Model) -> State:
     """The parts of a state."""
     ends = np.cumsum(np.array(sizes(p)))
     return State(*np.split(x, ends[:-1]))

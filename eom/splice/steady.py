@@ -7,10 +7,10 @@ import numpy as np
 from eom.assembly.vectors import Array
 from eom.splice.rates import rates
 from eom.splice.state import Model, sizes
-from eom.splice.trim import TrimError
+from eom.splice.trim import STEP, TrimError
 
-STEP, PASSES = 1e-30, 30
-SETTLED = 1e-12
+RUN_PASSES = 30
+RUN_SETTLED = 1e-12
 
 
 def steady(p: Model, speed: float, slip: Array, torque: float) -> tuple[Array, Array]:
@@ -41,9 +41,9 @@ def steady(p: Model, speed: float, slip: Array, torque: float) -> tuple[Array, A
     size = np.concatenate((np.full(starts[3] - starts[2], 9.8), np.full(starts[4] - starts[3], max(1.0, speed))))
     z = np.concatenate((x[unknown], [torque] if driven else []))
     scale = np.maximum(np.abs(z), np.concatenate((np.ones(len(unknown)), [1e3] if driven else [])))
-    for _ in range(PASSES):
+    for _ in range(RUN_PASSES):
         left = rates(*placed(z), p)[wanted] / size
-        if np.max(np.abs(left)) <= SETTLED:
+        if np.max(np.abs(left)) <= RUN_SETTLED:
             return placed(z)
         slopes = [rates(*placed(z + 1j * STEP * row), p)[wanted].imag / STEP for row in np.diag(scale)]
         step = np.linalg.lstsq(np.array(slopes).T / size[:, np.newaxis], left, rcond=1e-12)[0]

@@ -8,12 +8,13 @@ import numpy as np
 from eom.assembly.matrices import Matrices, assemble_matrices
 from eom.assembly.reduction import Pivots
 from eom.assembly.vectors import Array
-from eom.splice.contact import contact, spring_loads
+from eom.splice.contact import contacts, spring_loads
 from eom.splice.laws import UNLOADED, LawGroup, forces, law_groups
 from eom.vehicle.elements import Load, System, Wheel
 
 PASSES, SETTLED = 50, 1e-14
 STEP = 1e-30
+"""Imaginary step of derivatives: its square vanishes beside one."""
 
 
 class Trim(NamedTuple):
@@ -62,22 +63,22 @@ def solve_trim(
     for _ in range(PASSES):
         acting = system._replace(loads=(*system.loads, *road_loads(system, now, held=held)))
         matrices = assemble_matrices(acting, pivots)
-        loads = wheel_loads(acting, pivots, matrices)
+        loads = trim_loads(acting, pivots, matrices)
         if np.all(np.abs(loads - now.load) <= SETTLED * np.max(np.abs(loads), initial=1.0)):
             break
         check_loads(wheels, loads)
         if groups is None:
             laws = law_groups(wheels, system.tyres, loads)
-        slip, found, torque = rolling(system, laws or (), loads, now.slip, speed, held=held)
+        slip, found, torque = steady_rolling(system, laws or (), loads, now.slip, speed, held=held)
         now = Trim(speed, loads, slip, (1.0 + slip) * speed / radius, found, torque)
     else:
         raise TrimError(wheels[0].name, "loads and resistance of the straight run do not settle")
     return now, laws or (), matrices
 
 
-def wheel_loads(system: System, pivots: Pivots, matrices: Matrices) -> Array:
+def trim_loads(system: System, pivots: Pivots, matrices: Matrices) -> Array:
     """Normal loads [N] by statics, `UNLOADED` where nothing tells."""
-    own = contact(system, pivots, np.zeros(len(system.wheels)), matrices.statics.reactions)
+    own = contacts(system, pivots, np.zeros(len(system.wheels)), matrices.statics.reactions)
     loads = own.share @ own.carried + spring_loads(system, matrices, system.wheels)
     told = [bool(wheel.support or wheel.spring) for wheel in system.wheels]
     return np.where(told, loads, UNLOADED)
@@ -96,7 +97,7 @@ def check_loads(wheels: Sequence[Wheel], loads: Array) -> None:
             raise TrimError(wheel.axle, what)
 
 
-def rolling(
+def steady_rolling(
     system: System, laws: tuple[LawGroup, ...], loads: Array, kappa: Array, speed: float, *, held: bool
 ) -> tuple[Array, Array, float]:
     """Slips, forces (5, wheels) and drive torque with which every wheel and the whole run steadily."""

@@ -5,7 +5,7 @@ from typing import Any
 from eom.tyre.elementary import arctan, cos, sin
 from eom.tyre.parameters import Values
 
-TINY = 1e-100
+VANISHING = 1e-100
 """Beside a number that is not zero it vanishes; a friction that vanishes at some load gives no force, and not none."""
 
 

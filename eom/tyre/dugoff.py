@@ -11,14 +11,14 @@ from eom.tyre.contact import contact, rolling_sense
 from eom.tyre.elementary import maximum, minimum, sqrt, tan
 from eom.tyre.interface import Formula
 from eom.tyre.parameters import Values, coefficient
-from eom.tyre.wheel import LOW_SPEED, Wheel, resistance_moment, trail_of
+from eom.tyre.simple_tyre import LOW_TREAD_SPEED, SimpleTyre, resistance_moment, trail_of
 
 LOCKING = 0.1
 """Width in slip of the passage from a braked wheel, 1 + kappa > 0, to one that turns backwards."""
 
 
 @dataclass(frozen=True, kw_only=True)
-class Dugoff(Wheel):
+class Dugoff(SimpleTyre):
     """Dugoff's tyre. Raises `TyreError` for numbers that cannot be."""
 
     cornering: Values = coefficient("side force per slip angle", "N/rad", above=0.0)
@@ -50,7 +50,7 @@ def dugoff_forces(
     grip = p.friction * load
     drive, side = p.longitudinal * kappa, p.cornering * tan(alpha)
     # speed of the tread over speed of travel, or zero for a wheel that turns backwards: by a parabola between
-    ratio = 1.0 + kappa * rolling_sense(speed, LOW_SPEED)
+    ratio = 1.0 + kappa * rolling_sense(speed, LOW_TREAD_SPEED)
     near = minimum(maximum(ratio, -LOCKING), LOCKING) + LOCKING
     roll = maximum(ratio - LOCKING, 0.0) + near * near / (4.0 * LOCKING)
     limit = maximum(grip * roll, 2.0 * sqrt(drive * drive + side * side))

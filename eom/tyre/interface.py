@@ -74,10 +74,10 @@ class Tyre(Protocol):
         TyreError
             For arguments that are no finite numbers, or whose shapes do not fit together.
         """
-        return evaluate(self, alpha, kappa, Fz, gamma, speed)
+        return forces_of(self, alpha, kappa, Fz, gamma, speed)
 
 
-def evaluate(tyre: Tyre, *arguments: Values) -> Forces:
+def forces_of(tyre: Tyre, *arguments: Values) -> Forces:
     """A tyre's formula at alpha, kappa, Fz, gamma, speed; raises `TyreError` for what is no finite number."""
     arrays = [as_array(name, value) for name, value in zip(ARGUMENTS, arguments, strict=True)]
     try:

@@ -6,11 +6,11 @@ from typing import Any
 from eom.tyre.contact import contact
 from eom.tyre.interface import Formula
 from eom.tyre.parameters import Values, coefficient
-from eom.tyre.wheel import Wheel, resistance_moment, trail_of
+from eom.tyre.simple_tyre import SimpleTyre, resistance_moment, trail_of
 
 
 @dataclass(frozen=True, kw_only=True)
-class Linear(Wheel):
+class Linear(SimpleTyre):
     """A linear tyre; its forces have no limit by friction. Raises `TyreError` for numbers that cannot be."""
 
     cornering: Values = coefficient("side force per slip angle", "N/rad", at_least=0.0)

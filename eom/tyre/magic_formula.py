@@ -5,18 +5,18 @@ from typing import Any, Literal
 
 from eom.errors import TyreError
 from eom.tyre.contact import contact
-from eom.tyre.curve import TINY, sine
+from eom.tyre.curve import VANISHING, sine
 from eom.tyre.elementary import arctan, cos, sqrt
 from eom.tyre.interface import Formula
 from eom.tyre.parameters import Values, coefficient
-from eom.tyre.wheel import Wheel, resistance_moment, trail_of
+from eom.tyre.simple_tyre import SimpleTyre, resistance_moment, trail_of
 
 AT_REST = 1e-300
 """Square of a slip so small that it changes no number; keeps a ratio of two zeros one."""
 
 
 @dataclass(frozen=True, kw_only=True)
-class MagicFormula(Wheel):
+class MagicFormula(SimpleTyre):
     """The Magic Formula of the thesis. Raises `TyreError` for numbers that cannot be.
 
     Each coefficient is a polynomial of f = Fz/nominal_load - 1, with ``_load`` before f and ``_load2`` before f^2.
@@ -75,8 +75,8 @@ def ellipse_forces(
     load, share = contact(Fz, p.nominal_load)
     f = load / p.nominal_load - 1.0
     mu_x, mu_y, C_x, C_y = friction_and_shape(p, f)
-    u = (p.k_x + f * (p.k_x_load + f * p.k_x_load2)) * kappa / (mu_x + TINY)
-    v = ((p.k_y + f * (p.k_y_load + f * p.k_y_load2)) * alpha + p.k_gamma * gamma) / (mu_y + TINY)
+    u = (p.k_x + f * (p.k_x_load + f * p.k_x_load2)) * kappa / (mu_x + VANISHING)
+    v = ((p.k_y + f * (p.k_y_load + f * p.k_y_load2)) * alpha + p.k_gamma * gamma) / (mu_y + VANISHING)
     rho = sqrt(u * u + v * v + AT_REST)
     Fx = share * load * mu_x * (u / rho) * sine(rho / C_x, C_x, p.E_x + p.E_x_load * f)
     Fy = -share * load * mu_y * (v / rho) * sine(rho / C_y, C_y, p.E_y + p.E_y_load * f)
@@ -91,8 +91,8 @@ def cosine_forces(
     load, share = contact(Fz, p.nominal_load)
     f = load / p.nominal_load - 1.0
     mu_x, mu_y, C_x, C_y = friction_and_shape(p, f)
-    u = (p.k_x + f * (p.k_x_load + f * p.k_x_load2)) * kappa / (mu_x + TINY)
-    v = ((p.k_y + f * (p.k_y_load + f * p.k_y_load2)) * alpha + p.k_gamma * gamma) / (mu_y + TINY)
+    u = (p.k_x + f * (p.k_x_load + f * p.k_x_load2)) * kappa / (mu_x + VANISHING)
+    v = ((p.k_y + f * (p.k_y_load + f * p.k_y_load2)) * alpha + p.k_gamma * gamma) / (mu_y + VANISHING)
     # cos(arctan z) = 1/sqrt(1 + z^2)
     B_x = p.RBX1 / sqrt(1.0 + (p.RBX2 * kappa) * (p.RBX2 * kappa))
     B_y = p.RBY1 / sqrt(1.0 + (p.RBY2 * alpha) * (p.RBY2 * alpha))

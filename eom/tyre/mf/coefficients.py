@@ -12,7 +12,7 @@ from eom.tyre.mf.conditions import (
     AS_NOMINAL,
     Contact52,
     Dimension,
-    Model,
+    ModelSpeeds,
     OperatingConditions,
     Structural,
     Vertical,
@@ -20,7 +20,14 @@ from eom.tyre.mf.conditions import (
 )
 from eom.tyre.mf.force_coefficients import Lateral52, Lateral61, Longitudinal52, Longitudinal61
 from eom.tyre.mf.formulas import book_61, tool_52, tool_61
-from eom.tyre.mf.moment_coefficients import Aligning, Aligning61, Overturning, Overturning61, Rolling, Rolling61
+from eom.tyre.mf.moment_coefficients import (
+    Aligning,
+    Aligning61,
+    Overturning,
+    Overturning61,
+    RollingResistance,
+    RollingResistance61,
+)
 from eom.tyre.mf.ranges import (
     InclinationAngleRange,
     InflationPressureRange,
@@ -44,7 +51,7 @@ CHOICES = {
 
 
 @dataclass(frozen=True, kw_only=True)
-class Mounting(Tyre, Model, Dimension, LongSlipRange, SlipAngleRange, InclinationAngleRange, VerticalForceRange):
+class Mounting(Tyre, ModelSpeeds, Dimension, LongSlipRange, SlipAngleRange, InclinationAngleRange, VerticalForceRange):
     """What both versions have beside the coefficients of their equations.
 
     Attributes
@@ -121,7 +128,7 @@ class MagicFormula61(
     Longitudinal61,
     Overturning61,
     Lateral61,
-    Rolling61,
+    RollingResistance61,
     Aligning61,
 ):
     """Tyre of the Magic Formula 6.1 (FITTYP 61).
@@ -156,7 +163,7 @@ class MagicFormula61(
 
 @dataclass(frozen=True, kw_only=True)
 class MagicFormula52(
-    Mounting, Vertical, Contact52, Scaling52, Longitudinal52, Overturning, Lateral52, Rolling, Aligning
+    Mounting, Vertical, Contact52, Scaling52, Longitudinal52, Overturning, Lateral52, RollingResistance, Aligning
 ):
     """Tyre of the Magic Formula 5.2 (FITTYP 6), which the format PAC2002 has as well.
 

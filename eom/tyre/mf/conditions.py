@@ -10,7 +10,7 @@ AS_NOMINAL: Any = object()
 
 
 @dataclass(frozen=True, kw_only=True)
-class Model:
+class ModelSpeeds:
     """Section [MODEL]: the speeds."""
 
     LONGVL: Values = coefficient("speed of the measurement, reference of all speed terms", "m/s", default=16.7, above=0)

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from eom.tyre.curve import TINY
+from eom.tyre.curve import VANISHING
 from eom.tyre.elementary import magnitude
 from eom.tyre.mf.aligning import (
     book_combined,
@@ -14,9 +14,9 @@ from eom.tyre.mf.aligning import (
     trail,
     trail_slip,
 )
-from eom.tyre.mf.lateral import Lateral, lateral_weight, pure_lateral_52, pure_lateral_61, slip_thrust
+from eom.tyre.mf.lateral import SideForce, lateral_weight, pure_lateral_52, pure_lateral_61, slip_thrust
 from eom.tyre.mf.longitudinal import longitudinal_weight, pure_longitudinal, slip_stiffness
-from eom.tyre.mf.state import State, book_state, tool_state
+from eom.tyre.mf.state import WorkingPoint, book_state, tool_state
 from eom.tyre.mf.wheel import (
     longitudinal_arm,
     overturning_52,
@@ -35,7 +35,7 @@ def tool_61(p: Any, alpha: Values, kappa: Values, Fz: Values, gamma: Values, spe
     K, Fx = longitudinal_61(p, s, dpi)
     side, G, Fy = lateral_61(p, s, dpi)
     Fy_upright = pure_lateral_61(p, s, 0.0 * s.gamma, dpi).Fy0
-    drag, slip = p.meet * s.kappa * K / (side.K + TINY), trail_slip(p, s, s.gamma)
+    drag, slip = p.meet * s.kappa * K / (side.K + VANISHING), trail_slip(p, s, s.gamma)
     t = trail(p, s, tool_trail(p, s, s.camber, 1.0 - p.PPZ1 * dpi), s.gamma, slip, tool_combined(slip, drag))
     residual = residual_moment(p, s, side, residual_peak_61(p, s, dpi), tool_combined(residual_slip(s, side), drag))
     arm = p.meet * longitudinal_arm(p, s, Fy, s.camber, p.FNOMIN)
@@ -52,7 +52,7 @@ def book_61(p: Any, alpha: Values, kappa: Values, Fz: Values, gamma: Values, spe
     side, _, Fy = lateral_61(p, s, dpi)
     upright = pure_lateral_61(p, s, 0.0 * s.gamma, dpi)
     G_upright = lateral_weight(p, s, p.meet * s.kappa, p.RBY1)
-    drag, slip = p.meet * s.kappa * K / (side.K + TINY), trail_slip(p, s, s.gamma)
+    drag, slip = p.meet * s.kappa * K / (side.K + VANISHING), trail_slip(p, s, s.gamma)
     t = trail(p, s, book_trail(p, s, 1.0 - p.PPZ1 * dpi), s.gamma, slip, book_combined(slip, drag))
     residual = residual_moment(p, s, side, residual_peak_61(p, s, dpi), book_combined(residual_slip(s, side), drag))
     arm = p.meet * longitudinal_arm(p, s, Fy, s.gamma, s.Fz0)
@@ -69,7 +69,7 @@ def tool_52(p: Any, alpha: Values, kappa: Values, Fz: Values, gamma: Values, spe
     side, lateral = pure_lateral_52(p, s, lean_y), p.meet * s.kappa
     Fy_slip = lateral_weight(p, s, lateral, p.RBY1) * side.Fy0
     Fy = Fy_slip + slip_thrust(p, s, lateral, side.mu)
-    drag, slip = lateral * K / (side.K + TINY), trail_slip(p, s, lean_z)
+    drag, slip = lateral * K / (side.K + VANISHING), trail_slip(p, s, lean_z)
     t = trail(p, s, tool_trail(p, s, lean_z, 1.0), lean_z, slip, tool_combined(slip, drag))
     peak = (p.QDZ6 + p.QDZ7 * s.dfz) * p.LRES + (p.QDZ8 + p.QDZ9 * s.dfz) * lean_z * p.LKZC
     residual = residual_moment(p, s, side, peak, tool_combined(residual_slip(s, side), drag))
@@ -78,27 +78,27 @@ def tool_52(p: Any, alpha: Values, kappa: Values, Fz: Values, gamma: Values, spe
     return mounted(p, s, (Fx, Fy), (Mx, My, residual - t * Fy_slip + arm * Fx))
 
 
-def longitudinal_61(p: Any, s: State, dpi: Values) -> tuple[Any, Any]:
+def longitudinal_61(p: Any, s: WorkingPoint, dpi: Values) -> tuple[Any, Any]:
     """Slip stiffness and longitudinal force [N] of version 6.1."""
     K = slip_stiffness(p, s, 1.0 + dpi * (p.PPX1 + p.PPX2 * dpi))
     pure = pure_longitudinal(p, s, s.camber, K, 1.0 + dpi * (p.PPX3 + p.PPX4 * dpi))
     return K, pure * longitudinal_weight(p, s, p.meet * s.alpha, p.RBX1 + p.RBX3 * s.gamma * s.gamma)
 
 
-def lateral_61(p: Any, s: State, dpi: Values) -> tuple[Lateral, Any, Any]:
+def lateral_61(p: Any, s: WorkingPoint, dpi: Values) -> tuple[SideForce, Any, Any]:
     """Pure lateral force, its weight and the lateral force [N] of version 6.1."""
     side, kappa = pure_lateral_61(p, s, s.gamma, dpi), p.meet * s.kappa
     G = lateral_weight(p, s, kappa, p.RBY1 + p.RBY4 * s.gamma * s.gamma)
     return side, G, G * side.Fy0 + slip_thrust(p, s, kappa, side.mu)
 
 
-def residual_peak_61(p: Any, s: State, dpi: Values) -> Any:
+def residual_peak_61(p: Any, s: WorkingPoint, dpi: Values) -> Any:
     """The peak of the residual moment over load and radius, E47."""
     by_camber = (p.QDZ8 + p.QDZ9 * s.dfz) * (1.0 + p.PPZ2 * dpi) + (p.QDZ10 + p.QDZ11 * s.dfz) * magnitude(s.gamma)
     return (p.QDZ6 + p.QDZ7 * s.dfz) * p.LRES + by_camber * s.gamma * p.LKZC
 
 
-def mounted(p: Any, s: State, forces: tuple[Any, Any], moments: tuple[Any, Any, Any]) -> tuple[Any, ...]:
+def mounted(p: Any, s: WorkingPoint, forces: tuple[Any, Any], moments: tuple[Any, Any, Any]) -> tuple[Any, ...]:
     """Fx, Fy, Mx, My, Mz that act: those in use, on the tyre's side of the vehicle, while it touches the road."""
     Fx, Fy = forces
     Mx, My, Mz = moments

@@ -33,7 +33,7 @@ class Overturning61(Overturning):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Rolling:
+class RollingResistance:
     """Section [ROLLING_COEFFICIENTS]: what MF 5.2 and 6.1 share."""
 
     QSY1: Values = coefficient("rolling resistance", default=0.0)
@@ -43,7 +43,7 @@ class Rolling:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Rolling61(Rolling):
+class RollingResistance61(RollingResistance):
     """Section [ROLLING_COEFFICIENTS] of MF 6.1."""
 
     QSY5: Values = coefficient("rolling resistance: with camber squared", default=0.0)

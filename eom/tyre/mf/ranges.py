@@ -56,7 +56,7 @@ class InflationPressureRange:
     PRESMAX: Values = limit("greatest inflation pressure", "Pa", default=math.inf)
 
 
-def limits(owner: Any) -> Iterator["dataclasses.Field[Any]"]:
+def range_ends(owner: Any) -> Iterator["dataclasses.Field[Any]"]:
     """The fields made by `limit` of a parameter object or its class, in order."""
     return (item for item in dataclasses.fields(owner) if "limit_unit" in item.metadata)
 
@@ -67,16 +67,16 @@ def range_problems(owner: Any, values: Mapping[str, Any]) -> Iterator[tuple[str,
     *values* are the ends of the ranges of *owner*, a parameter object or its class; ends left out have their default.
     No lower end is below its default, which is 0 for load and pressure.
     """
-    items = list(limits(owner))
+    items = list(range_ends(owner))
     for low, high in zip(items[::2], items[1::2], strict=True):
         least, most = (values.get(item.name, item.default) for item in (low, high))
-        if not holds(np.greater_equal, least, low.default):
+        if not all_hold(np.greater_equal, least, low.default):
             yield low.name, f"expected a number of at least {low.default:g}"
-        elif not holds(np.less, least, most):
+        elif not all_hold(np.less, least, most):
             yield high.name, f"expected a number above {low.name} = {least}"
 
 
-def holds(relation: "np.ufunc", left: Any, right: Any) -> bool:
+def all_hold(relation: "np.ufunc", left: Any, right: Any) -> bool:
     """Whether all elements are numbers in a relation."""
     try:
         return bool(np.all(relation(left, right)))

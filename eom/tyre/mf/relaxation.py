@@ -10,7 +10,7 @@ from eom.tyre.interface import as_numbers
 from eom.tyre.mf.coefficients import MagicFormula52, MagicFormula61
 from eom.tyre.mf.lateral import cornering_stiffness_61
 from eom.tyre.mf.longitudinal import slip_stiffness
-from eom.tyre.mf.state import State, book_state, tool_state
+from eom.tyre.mf.state import WorkingPoint, book_state, tool_state
 from eom.tyre.parameters import Values
 
 
@@ -41,7 +41,7 @@ def relaxation_lengths(tyre: MagicFormula61 | MagicFormula52, Fz: Values, gamma:
     return relaxation_61(tyre, (tool_state if tyre.form == "tool" else book_state)(tyre, *point))
 
 
-def relaxation_61(tyre: MagicFormula61, s: State) -> Relaxation:
+def relaxation_61(tyre: MagicFormula61, s: WorkingPoint) -> Relaxation:
     """(19) of the paper."""
     names = ("LONGITUDINAL_STIFFNESS", "LATERAL_STIFFNESS")
     missing = [name for name in names if not np.all(np.asarray(getattr(tyre, name)) > 0.0)]
@@ -55,7 +55,7 @@ def relaxation_61(tyre: MagicFormula61, s: State) -> Relaxation:
     return Relaxation(magnitude(K_x / C_x), magnitude(K_y / C_y))
 
 
-def relaxation_52(tyre: MagicFormula52, s: State) -> Relaxation:
+def relaxation_52(tyre: MagicFormula52, s: WorkingPoint) -> Relaxation:
     """The formulas of version 5.2."""
     load = s.load / tyre.FNOMIN
     x = (tyre.PTX1 + tyre.PTX2 * s.dfz) * exp(-tyre.PTX3 * s.dfz) * load * tyre.LSGKP

@@ -10,7 +10,7 @@ A_MU = 10.0
 """Digressive friction of the book, E8: shifts fall with friction more slowly than friction itself."""
 
 
-class State(NamedTuple):
+class WorkingPoint(NamedTuple):
     """A working point.
 
     Attributes
@@ -52,12 +52,12 @@ class State(NamedTuple):
     shift_y: Any
 
 
-def tool_state(p: Any, alpha: Values, kappa: Values, Fz: Values, gamma: Values, speed: Values) -> State:
+def tool_state(p: Any, alpha: Values, kappa: Values, Fz: Values, gamma: Values, speed: Values) -> WorkingPoint:
     """The working point as the MF-Tyre tool takes it: angles themselves, no digressive friction."""
     return state_of(p, (alpha, gamma), (alpha, kappa, Fz, gamma, speed), (p.LMUX, p.LMUY, p.LMUX, p.LMUY))
 
 
-def book_state(p: Any, alpha: Values, kappa: Values, Fz: Values, gamma: Values, speed: Values) -> State:
+def book_state(p: Any, alpha: Values, kappa: Values, Fz: Values, gamma: Values, speed: Values) -> WorkingPoint:
     """The working point as the book takes it: E3, E4, E7, E8."""
     slope = tan(alpha)
     decay = 1.0 + p.LMUV * magnitude(speed) * sqrt(kappa * kappa + slope * slope) / p.LONGVL
@@ -77,14 +77,14 @@ def state_of(
     curve: tuple[Values, Values],
     arguments: tuple[Values, Values, Values, Values, Values],
     scales: tuple[Values, Values, Values, Values],
-) -> State:
+) -> WorkingPoint:
     """What both forms share: *curve* are slip angle and camber as they enter the curves, *scales* those of friction."""
     alpha, kappa, Fz, camber, speed = arguments
     mu_x, mu_y, shift_x, shift_y = scales
     load, share = contact(Fz, p.FNOMIN)
     Fz0 = p.LFZO * p.FNOMIN
     sense = rolling_sense(speed, p.VXLOW)
-    return State(
+    return WorkingPoint(
         alpha=curve[0],
         kappa=kappa,
         gamma=curve[1],

@@ -11,7 +11,7 @@ Tyre = MagicFormula61 | MagicFormula52
 
 # per section the classes whose fields stand in it, in the order in which a file is written
 SECTIONS: Mapping[str, tuple[type, ...]] = {
-    "MODEL": (conditions.Model,),
+    "MODEL": (conditions.ModelSpeeds,),
     "DIMENSION": (conditions.Dimension,),
     "OPERATING_CONDITIONS": (conditions.OperatingConditions,),
     "VERTICAL": (conditions.Vertical, conditions.Vertical61),
@@ -30,7 +30,7 @@ SECTIONS: Mapping[str, tuple[type, ...]] = {
     ),
     "OVERTURNING_COEFFICIENTS": (moment_coefficients.Overturning, moment_coefficients.Overturning61),
     "LATERAL_COEFFICIENTS": (force_coefficients.Lateral, force_coefficients.Lateral61, force_coefficients.Lateral52),
-    "ROLLING_COEFFICIENTS": (moment_coefficients.Rolling, moment_coefficients.Rolling61),
+    "ROLLING_COEFFICIENTS": (moment_coefficients.RollingResistance, moment_coefficients.RollingResistance61),
     "ALIGNING_COEFFICIENTS": (moment_coefficients.Aligning, moment_coefficients.Aligning61),
 }
 HEADERS = frozenset({"MDI_HEADER", "HEADER"})

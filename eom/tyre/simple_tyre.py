@@ -10,12 +10,12 @@ from eom.tyre.contact import rolling_sense, rolling_speed
 from eom.tyre.interface import Tyre
 from eom.tyre.parameters import Values, bound_problems, coefficient
 
-LOW_SPEED = 1.0
+LOW_TREAD_SPEED = 1.0
 """Speed of the tread [m/s] below which rolling resistance fades to zero at standstill."""
 
 
 @dataclass(frozen=True, kw_only=True)
-class Wheel(Tyre):
+class SimpleTyre(Tyre):
     """Coefficients of a wheel with any simple tyre. Raises `TyreError` for numbers that cannot be."""
 
     nominal_load: Values = coefficient("load that the coefficients are for", "N", above=0.0)
@@ -31,12 +31,12 @@ class Wheel(Tyre):
             raise TyreError("\n".join(wrong))
 
 
-def resistance_moment(p: Wheel, load: Values, kappa: Values, speed: Values) -> Any:
+def resistance_moment(p: SimpleTyre, load: Values, kappa: Values, speed: Values) -> Any:
     """My [N m] of rolling resistance at a load [N]: against the wheel's rotation, through zero at standstill."""
-    sense = rolling_sense(rolling_speed(kappa, speed, LOW_SPEED), LOW_SPEED)
+    sense = rolling_sense(rolling_speed(kappa, speed, LOW_TREAD_SPEED), LOW_TREAD_SPEED)
     return -p.rolling_resistance * p.radius * load * sense
 
 
-def trail_of(p: Wheel, speed: Values) -> Any:
+def trail_of(p: SimpleTyre, speed: Values) -> Any:
     """Pneumatic trail [m] at small slip: behind the wheel's centre, in reverse in front of it, none at standstill."""
-    return p.trail * rolling_sense(speed, LOW_SPEED)
+    return p.trail * rolling_sense(speed, LOW_TREAD_SPEED)
