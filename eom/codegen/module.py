@@ -14,8 +14,8 @@ from eom.codegen.carried import carried
 from eom.codegen.source import Writer, literal, make_writer, parameter_text
 from eom.codegen.tyres import named_files, tyre_fields
 from eom.model.assembly import Assembly, assemble
-from eom.model.linear import linearise
-from eom.model.tyre import build_tyre_model
+from eom.model.linear import LinearModel, linearise
+from eom.model.tyre import TyreModel, build_tyre_model
 from eom.vehicle.elements import System
 from eom.vehicle.expression import Expression, Number, evaluate, python_text
 from eom.vehicle.expression import names as parameter_names
@@ -87,15 +87,16 @@ def module_text(vehicle: Vehicle | Assembly) -> str:
     assembly = vehicle if isinstance(vehicle, Assembly) else assemble(vehicle)
     owner = assembly.vehicle
     writer, variables = make_writer(owner.draft)
+    model: LinearModel | TyreModel
     if assembly.prepared is None:
         system, pivots, modules, name = owner.draft.system(), assembly.pivots, LINEAR_FILES, "linear.py.jinja"
         model = linearise(assembly)
         further: dict[str, Any] = {}
     else:
-        model = build_tyre_model(owner)
+        model = spliced = build_tyre_model(owner)
         system, files = named_files(owner.draft.system())
         pivots, modules, name = assembly.prepared.pivots, TYRE_FILES, "tyre.py.jinja"
-        further = tyre_fields(model, files)
+        further = tyre_fields(spliced, files)
     environment = jinja2.Environment(
         loader=jinja2.PackageLoader("eom.codegen"),
         autoescape=False,  # noqa: S701  Python source; every text of the file goes through `literal` or `one_line`

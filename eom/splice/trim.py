@@ -86,7 +86,7 @@ def trim_loads(system: System, pivots: Pivots, matrices: Matrices) -> Array:
 
 def loads_at_rest(system: System, pivots: Pivots) -> Array:
     """Normal loads [N] of a vehicle without its wheels' linear forces that stands still."""
-    return wheel_loads(system, pivots, assemble_matrices(system, pivots))
+    return trim_loads(system, pivots, assemble_matrices(system, pivots))
 
 
 def check_loads(wheels: Sequence[Wheel], loads: Array) -> None:
