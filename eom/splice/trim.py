@@ -66,13 +66,13 @@ def solve_trim(
         loads = trim_loads(acting, pivots, matrices)
         if np.all(np.abs(loads - now.load) <= SETTLED * np.max(np.abs(loads), initial=1.0)):
             break
+        check_loads(wheels, loads)
         if groups is None:
             laws = law_groups(wheels, system.tyres, loads)
         slip, found, torque = steady_rolling(system, laws or (), loads, now.slip, speed, held=held)
         now = Trim(speed, loads, slip, (1.0 + slip) * speed / radius, found, torque)
     else:
         raise TrimError(wheels[0].name, "loads and resistance of the straight run do not settle")
-    check_loads(wheels, loads)
     return now, laws or (), matrices
 
 
@@ -86,7 +86,7 @@ def trim_loads(system: System, pivots: Pivots, matrices: Matrices) -> Array:
 
 def loads_at_rest(system: System, pivots: Pivots) -> Array:
     """Normal loads [N] of a vehicle without its wheels' linear forces that stands still."""
-    return wheel_loads(system, pivots, assemble_matrices(system, pivots))
+    return trim_loads(system, pivots, assemble_matrices(system, pivots))
 
 
 def check_loads(wheels: Sequence[Wheel], loads: Array) -> None:
