@@ -24,10 +24,13 @@ class LawGroup(NamedTuple):
 
 
 def law_groups(wheels: Sequence[Wheel], laws: Sequence[TyreLaw], loads: Array) -> tuple[LawGroup, ...]:
-    """The tyres of all wheels; each law is fitted at the mean of the loads [N] of the wheels that have it."""
+    """The tyres of all wheels; each law is fitted at the mean of the loads [N] of the wheels that have it.
+
+    *loads* are those of all that an element stands for.
+    """
     tyres: list[Tyre] = []
     for wheel in wheels:
-        same = [load for load, other in zip(loads, wheels, strict=True) if other.tyre == wheel.tyre]
+        same = [load / other.number for load, other in zip(loads, wheels, strict=True) if other.tyre == wheel.tyre]
         tyre = KINDS[laws[wheel.tyre].kind](laws[wheel.tyre], float(np.mean(same)), wheel.radius)
         if hasattr(tyre, "on") and wheel.name.endswith((".left", ".right")):
             tyre = tyre.on(wheel.name.rsplit(".", maxsplit=1)[1])

@@ -46,8 +46,12 @@ def steady(p: Model, speed: float, slip: Array, torque: float) -> tuple[Array, A
         if np.max(np.abs(left)) <= RUN_SETTLED:
             return placed(z)
         slopes = [rates(*placed(z + 1j * STEP * row), p)[wanted].imag / STEP for row in np.diag(scale)]
-        z = z - scale * np.linalg.lstsq(np.array(slopes).T / size[:, np.newaxis], left, rcond=1e-12)[0]
+        step = np.linalg.lstsq(np.array(slopes).T / size[:, np.newaxis], left, rcond=1e-12)[0]
+        z = z - scale * step
         if not np.all(np.isfinite(z)):
             break
+        if np.max(np.abs(step)) <= SETTLED:
+            # rates of light, stiffly rolling wheels keep the rounding of their spins
+            return placed(z)
     message = f"no straight run at {speed:.6g} m/s holds: a resistance is not balanced, or asks too much of a tyre"
     raise TrimError("trim", message)
