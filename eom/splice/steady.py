@@ -50,7 +50,7 @@ def steady(p: Model, speed: float, slip: Array, torque: float) -> tuple[Array, A
         z = z - scale * step
         if not np.all(np.isfinite(z)):
             break
-        if np.max(np.abs(step)) <= SETTLED:
+        if np.max(np.abs(step)) <= RUN_SETTLED:
             # rates of light, stiffly rolling wheels keep the rounding of their spins
             return placed(z)
     message = f"no straight run at {speed:.6g} m/s holds: a resistance is not balanced, or asks too much of a tyre"
