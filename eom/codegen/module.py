@@ -4,6 +4,7 @@ import keyword
 import re
 import sys
 import textwrap
+from collections.abc import Sequence
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any, cast
@@ -89,14 +90,13 @@ def module_text(vehicle: Vehicle | Assembly) -> str:
     writer, variables = make_writer(owner.draft)
     model: LinearModel | TyreModel
     if assembly.prepared is None:
-        system, pivots, modules, name = owner.draft.system(), assembly.pivots, LINEAR_FILES, "linear.py.jinja"
-        model = linearise(assembly)
-        further: dict[str, Any] = {}
+        model, pivots = linearise(assembly), assembly.pivots
+        name, modules, own = "linear.py.jinja", LINEAR_FILES, system_fields(owner.draft.system(), writer)
     else:
-        model = spliced = build_tyre_model(owner)
+        model, pivots = build_tyre_model(owner), assembly.prepared.pivots
         system, files = named_files(owner.draft.system())
-        pivots, modules, name = assembly.prepared.pivots, TYRE_FILES, "tyre.py.jinja"
-        further = tyre_fields(spliced, files)
+        name, modules = "tyre.py.jinja", TYRE_FILES
+        own = {**system_fields(system, writer, WHEELS), **tyre_fields(model, files)}
     environment = jinja2.Environment(
         loader=jinja2.PackageLoader("eom.codegen"),
         autoescape=False,  # noqa: S701  Python source; every text of the file goes through `literal` or `one_line`
@@ -108,8 +108,7 @@ def module_text(vehicle: Vehicle | Assembly) -> str:
     template = environment.get_template(name)
     fields = {
         **vehicle_fields(owner),
-        **system_fields(system, writer, wheels=bool(further)),
-        **further,
+        **own,
         "variables": variables,
         "pivots": writer.text(pivots, 0, len("PIVOTS = ")),
         "signals": [
@@ -152,19 +151,26 @@ def vehicle_fields(owner: Vehicle) -> dict[str, Any]:
         "zeros": [
             (python_text(item, parameter_text), literal(f"{path[1]}: {what}")) for item, path, what in draft.zeros
         ],
+        "floors": list(
+            dict.fromkeys(
+                (python_text(item, parameter_text), zero, literal(".".join(map(str, path))))
+                for item, path, zero in draft.registry.floors
+                if not isinstance(item, Number)
+            )
+        ),
         "speed": "" if isinstance(speed, Number) else python_text(speed, parameter_text),
         "fixed_speed": literal(owner.speed),
     }
 
 
-def system_fields(draft: System, writer: Writer, *, wheels: bool) -> dict[str, Any]:
-    """The elements as source."""
-    added = [key for key in (*ADDITIONS, *(WHEELS if wheels else ())) if getattr(draft, key)]
+def system_fields(draft: System, writer: Writer, further: Sequence[str] = ()) -> dict[str, Any]:
+    """The elements as source; *further* names those that vehicles with wheels have."""
+    added = [key for key in (*ADDITIONS, *further) if getattr(draft, key)]
     return {
         "bodies": [(name, k) for k, name in enumerate(writer.bodies)],
         "gravity": writer.text(draft.gravity, 8, len("gravity=,")),
         "sections": [(key, [writer.text(item, 12, 1) for item in getattr(draft, key)]) for key in (*SECTIONS, *added)],
-        "drive": writer.text(draft.drive, 8, len("drive=,")) if wheels else "",
+        "drive": writer.text(draft.drive, 8, len("drive=,")) if further else "",
     }
 
 

@@ -11,7 +11,7 @@ import pytest
 
 import eom
 from eom.codegen import module_text
-from tests.vehicles.shipped import NAMES, text, vehicle
+from tests.vehicles.shipped import LINEAR, text, vehicle
 
 # eom's own arithmetic in another file: equal to the last bit on one machine, 1e-14 allows another one's library
 SAME = 1e-14
@@ -36,7 +36,7 @@ def assert_same(generated: object, model: eom.LinearModel, tolerance: float) -> 
         np.testing.assert_allclose(getattr(generated, name), expected, rtol=0.0, atol=tolerance * scale)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", LINEAR)
 def test_the_module_gives_what_the_model_in_memory_gives(name: str, tmp_path: Path) -> None:
     car = vehicle(name)
     model, module = eom.linearise(car), imported(car, tmp_path)
@@ -151,7 +151,7 @@ def test_writing_twice_gives_identical_files() -> None:
 
 
 def test_the_modules_are_linted_and_typed(tmp_path: Path) -> None:
-    for name in NAMES:
+    for name in LINEAR:
         eom.write_module(vehicle(name), tmp_path)
     (tmp_path / "__init__.py").write_text('"""Generated."""\n')
     settings = Path(__file__).parents[2] / "pyproject.toml"

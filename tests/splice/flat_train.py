@@ -11,7 +11,9 @@ from numpy.typing import ArrayLike
 
 import eom
 from eom.model.tyre import TyreModel, build_tyre_model
-from eom.splice.laws import fitted
+from eom.splice.kinds import KINDS
+from eom.tyre.interface import Tyre
+from eom.vehicle.elements import Wheel
 from tests.referees import planar_train
 from tests.referees.planar_parts import Motion, PlanarTrain, PlanarUnit, PlanarWheel, split
 from tests.splice.shared import Array, places
@@ -125,7 +127,7 @@ def pair() -> Pair:
                 x=wheel.place[0] - body.centre[0],
                 radius=wheel.radius,
                 load=load / wheel.number,
-                tyre=fitted(system.tyres[wheel.tyre], nominal_load(model, wheel.tyre), wheel.radius).forces,
+                tyre=tyre_of(model, wheel).forces,
                 spin_inertia=wheel.spin_inertia / wheel.number,
                 steer_index=0 if wheel.steer else None,
                 count=round(wheel.number),
@@ -146,7 +148,13 @@ def pair() -> Pair:
     return Pair(model, PlanarTrain(tuple(units)))
 
 
-def nominal_load(model: TyreModel, tyre: int) -> float:
-    """Load [N] of one wheel at which a law has the stiffnesses of the file: the mean of its wheels at the trim."""
-    wheels, loads = model.prepared.system.wheels, model.prepared.trim.load
-    return float(np.mean([load for wheel, load in zip(wheels, loads, strict=True) if wheel.tyre == tyre]))
+def tyre_of(model: TyreModel, wheel: Wheel) -> Tyre:
+    """A wheel's tyre, with the stiffnesses of the file at the mean load of one wheel of its law at the trim."""
+    system = model.prepared.system
+    loads = [
+        load / other.number
+        for other, load in zip(system.wheels, model.prepared.trim.load, strict=True)
+        if other.tyre == wheel.tyre
+    ]
+    law = system.tyres[wheel.tyre]
+    return KINDS[law.kind](law, float(np.mean(loads)), wheel.radius)

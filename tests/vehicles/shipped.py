@@ -6,6 +6,16 @@ import eom
 
 FOLDER = Path(__file__).parents[2] / "vehicles"
 NAMES = sorted(path.stem for path in FOLDER.glob("*.yaml"))
+WHEELED = (
+    "a_train_double",
+    "b_train",
+    "b_train_yaw_plane_nonlinear",
+    "car",
+    "tractor_semitrailer",
+    "tractor_semitrailer_nonlinear",
+)
+"""Vehicles whose axles' tyres are wheels alone, with a nonlinear model."""
+LINEAR = [name for name in NAMES if name not in WHEELED]
 TRAINS = ("tractor_semitrailer_yaw_plane", "b_train_yaw_plane", "b_train_yaw_roll")
 
 
