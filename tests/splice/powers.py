@@ -10,7 +10,7 @@ import numpy as np
 
 from eom.model.tyre import TyreModel
 from eom.splice.motion import motion
-from eom.splice.state import Evaluation, Motion, split
+from eom.splice.state import Evaluation, Motion, split_state
 from tests.splice.shared import Array
 
 
@@ -44,7 +44,7 @@ class Powers(NamedTuple):
 def kinetic_energy(found: TyreModel, x: Array) -> complex:
     """Of bodies and spinning wheels [J]; *x* may be complex, to carry a derivative."""
     p = found.numbers
-    state = split(x, p)
+    state = split_state(x, p)
     w = motion(state, p).w
     inertia = np.array([wheel.spin_inertia for wheel in found.prepared.system.wheels])[p.contact.spinning]
     return complex(0.5 * w @ p.body.M @ w + 0.5 * inertia @ state.spin**2)

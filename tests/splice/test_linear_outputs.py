@@ -8,9 +8,10 @@ import pytest
 from eom.splice.closure import close
 from eom.splice.linear_outputs import linear_outputs
 from eom.splice.outputs import all_outputs
-from eom.splice.prepare import Prepared, input_names, prepare, trim_state
+from eom.splice.prepare import Prepared, input_names, prepare
 from eom.splice.rates import evaluate
 from eom.splice.signals import signals
+from eom.splice.steady import steady
 from eom.vehicle.elements import GROUND, Connection, Output
 from tests.vehicles.shipped import vehicle
 
@@ -38,7 +39,7 @@ def slopes(prepared: Prepared, speed: float) -> tuple[np.ndarray, np.ndarray]:
     """Derivatives of the measured outputs at the trim by states and inputs."""
     system, p = prepared.system, prepared.model
     own = signals(system, prepared.pivots, [name for name, _ in input_names(system)], speed)
-    x, u = trim_state(prepared)
+    x, u = steady(p, prepared.trim.speed, prepared.trim.slip, prepared.trim.torque)
     at, n = np.concatenate((x, u)), len(x)
     columns = []
     for unit in np.eye(len(at)):

@@ -14,13 +14,14 @@ U = 110 / 3.6
 
 def roots(text: str, **values: float | str) -> np.ndarray:
     """Roots of a B-train's linear model that are not zero."""
-    found = eom.linearise(eom.loads(text, str(FOLDER / "b_train.yaml"), **values)).modes().eigenvalues
-    return found[np.abs(found) > 1e-6]
+    model = eom.linearise(eom.loads(text, str(FOLDER / "b_train.yaml"), **values))
+    found = np.asarray(model.modes().eigenvalues)
+    return np.asarray(found[np.abs(found) > 1e-6])
 
 
 def distances(found: np.ndarray, wanted: np.ndarray) -> np.ndarray:
     """Relative distance of each wanted root from the nearest one found."""
-    return np.min(np.abs(found[:, np.newaxis] - wanted) / np.abs(wanted), axis=0)
+    return np.asarray(np.min(np.abs(found[:, np.newaxis] - wanted) / np.abs(wanted), axis=0))
 
 
 @pytest.mark.parametrize("number", SETS)

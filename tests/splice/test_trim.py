@@ -39,7 +39,7 @@ def test_loads_at_rest_are_those_of_levers() -> None:
 
 def test_loads_without_the_lever_of_the_second_hitch_are_the_thesis_ones() -> None:
     """29 395.1 N per dual pair of the first tridem, which then carries all of the second hitch's load."""
-    model = b_train(**{"fifth_wheel_2.at.semitrailer_1.x": -11.5})
+    model = b_train(B_TRAIN, **{"fifth_wheel_2.at.semitrailer_1.x": -11.5})
     loads = loads_at_rest(model.prepared.system, model.prepared.pivots)
     np.testing.assert_allclose(loads[6:12], 29395.1, atol=0.05)
 

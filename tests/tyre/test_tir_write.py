@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from eom.errors import TyreError
 from eom.tyre import MagicFormula52, MagicFormula61, read_tir, write_tir
-from eom.tyre.mf.ranges import limits
+from eom.tyre.mf.ranges import range_ends
 from eom.tyre.tir.keys import fields_of
 from eom.tyre.tir.write import tir_text
 from tests.tyre.tir_samples import NEWER, OTHER_UNITS, PASSENGER_CAR, read
@@ -33,7 +33,7 @@ def values(version: type[MagicFormula61 | MagicFormula52]) -> st.SearchStrategy[
         numbers = st.floats(min_value=5e-324 if positive else None, allow_nan=False, allow_infinity=False)
         # PTY1 forbids PTY2 to be zero
         strategies[name] = numbers.filter(bool) if item.metadata.get("non_zero") or name == "PTY2" else numbers
-    ends = [item.name for item in limits(version)]
+    ends = [item.name for item in range_ends(version)]
     for low, high in zip(ends[::2], ends[1::2], strict=True):
         strategies[low] = (
             st.sampled_from([-math.inf, -1e3, 0.1, 1.0]) if low not in {"FZMIN", "PRESMIN"} else st.just(0.0)
