@@ -2,7 +2,7 @@
 
 Tyres of both have the same forces. In Exudyn loads stay those at rest; in the model the steered wheels' pull along the
 car shifts them by the second order. Yaw rate, drift and roll are odd in the steer, so their errors are of the third
-order and shrink to a quarter of the motion when the steer is halved; the speed, which is even, does so at least.
+order and a quarter of them is left, relative to the motion, when the steer is halved; of the speed's, a sixteenth.
 """
 
 import numpy as np
@@ -51,9 +51,9 @@ def test_loads_at_rest_are_those_of_levers() -> None:
 
 
 def test_a_rolling_car_moves_as_in_exudyn_to_the_second_order_of_its_angles() -> None:
-    """At 4 deg the car turns with 1 g at the end of its tyres, and 4 % are wrong; at 1 deg, 0.26 g, it is 0.1 to 0.3 %.
+    """At 4 deg the car turns with 1 g at the end of its tyres, and up to 4 % are wrong; at 1 deg it is 0.24 %.
 
-    Exudyn integrates by steps of 1.25 ms, which costs some 1e-5.
+    Seen are ratios of 3.9 to 6.6 per halving, and of 16 for the speed. Exudyn's steps of 1.25 ms cost some 1e-5.
     """
     errors, lost = [], []
     for steer in STEERS:
@@ -61,8 +61,7 @@ def test_a_rolling_car_moves_as_in_exudyn_to_the_second_order_of_its_angles() ->
         pairs = zip(own[:3], exact[:3], strict=True)
         errors.append([np.max(np.abs(one - two)) / np.max(np.abs(two)) for one, two in pairs])
         lost.append(np.max(np.abs(own.speed - exact.speed)))
-    print(errors, lost)
     found = np.array(errors)
-    assert np.max(found[-1]) < 0.004
+    assert np.max(found[-1]) < 0.003
     assert np.all(found[:-1] / found[1:] > 3.7)
-    assert np.all(np.array(lost[:-1]) / lost[1:] > 3.7)
+    assert np.all(np.array(lost[:-1]) / lost[1:] > 14.0)
