@@ -2,7 +2,7 @@
 PYTHON ?= $(shell for p in python3 python3.13 python3.12 python3.11; do \
 	$$p -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null && echo $$p && break; done)
 BIN := .venv/bin
-VEHICLE := vehicles/b_train_yaw_roll.yaml
+VEHICLE := vehicles/b_train.yaml
 
 .PHONY: demo test lint docs pictures clean
 
@@ -12,7 +12,8 @@ demo: .venv/installed
 	$(BIN)/eom modes $(VEHICLE) --set U=110km/h
 	@echo
 	$(BIN)/eom build $(VEHICLE) --set U=110km/h --out build
-	$(BIN)/python tools/steer_response.py build/b_train_yaw_roll.py build/b_train_yaw_roll.png
+	@echo
+	$(BIN)/python tools/module_lane_change.py build/b_train.py build/b_train.png
 
 test: lint docs
 	$(BIN)/python -m pytest
@@ -28,6 +29,9 @@ docs: .venv/developing
 # the figures of README and docs
 pictures: .venv/installed
 	$(BIN)/eom build $(VEHICLE) --set U=110km/h --out build
+	$(BIN)/python tools/module_lane_change.py build/b_train.py docs/images/b_train_module.png
+	$(BIN)/python tools/lane_change.py docs/images/b_train_lane_change.png
+	$(BIN)/eom build vehicles/b_train_yaw_roll.yaml --set U=110km/h --out build
 	$(BIN)/python tools/steer_response.py build/b_train_yaw_roll.py docs/images/b_train_steer_response.png
 	mkdir -p build
 	sed -n '/^name: B-train/,/^```$$/p' docs/b-train.md | sed '$$d' > build/b_train.yaml

@@ -21,6 +21,7 @@ PAGES = (
     "b-train",
     "responses",
     "closed-form",
+    "nonlinear",
     "modes",
     "tir-files",
     "tyres",

@@ -29,7 +29,7 @@ def workplace(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_the_commands_run_and_write_their_files(workplace: Path) -> None:
     assert len(COMMANDS) >= 4
     written = {path.name for path in (workplace / "build").iterdir()}
-    assert {f"b_train_yaw_roll.{suffix}" for suffix in ("py", "npz", "mat", "txt")} <= written
+    assert {f"b_train.{suffix}" for suffix in ("py", "npz", "mat", "txt")} <= written
     assert {"b_train_yaw_roll_U.csv", "b_train_yaw_roll_U.png", "b_train_yaw_roll_U.svg"} <= written
 
 
