@@ -34,13 +34,14 @@ def test_a_car_changes_its_momentum_by_external_forces(seed: int) -> None:
         moment += turned + np.cross(arm, gained - weight)
     for k, wheel in enumerate(system.wheels):
         place = np.subtract(wheel.place, system.bodies[0].centre)
+        hub = np.add(place, (0.0, 0.0, wheel.radius))
         cos, sin = np.cos(now.rolling.steer[k]), np.sin(now.rolling.steer[k])
         Fx, Fy, Mx, _, Mz = balance.forces[:, k]
         along = np.array([cos * Fx - sin * Fy, 0.0, 0.0])
         across = np.array([0.0, sin * Fx + cos * Fy, balance.load[k]])
         force -= along + across
         # the wheel turns in its carrier: its hub is pushed, and the torque on it is taken from the carrier
-        moment -= np.cross(place + [0.0, 0.0, wheel.radius], along) + np.cross(place, across)
+        moment -= np.cross(hub, along) + np.cross(place, across)
         moment -= np.array([cos * Mx, sin * Mx - balance.torque[k], Mz])
     for drag in system.drags:
         place = np.subtract(drag.place, system.bodies[0].centre)

@@ -1,7 +1,7 @@
 """Tangency: the slopes of the nonlinear equations at the trim are the linear model that the kernel's matrices give.
 
 Both are exact derivatives, so what separates them is rounding: of matrices of some tens of states whose entries span
-stiffnesses of 1e6 and rates of 1. Seen are 3e-13 of the largest entry of a row; 1e-9 is asked.
+stiffnesses of 1e6 and rates of 1. Seen are 5e-13 of the largest entry of a row; 1e-9 is asked.
 """
 
 import numpy as np
