@@ -23,7 +23,7 @@ def passive_forces(state: State, u: Any, at: Motion, p: Model) -> Any:
     drifting[0::6] -= v_x
     planar = planar - body.C_slip @ drifting
     w = at.w.reshape(-1, 6)
-    momentum = (body.inertia @ w[:, 3:, np.newaxis])[:, :, 0]
+    momentum = np.sum(body.inertia * w[:, np.newaxis, 3:], axis=2)
     turning = np.zeros_like(w)
     turning[:, 0], turning[:, 1] = -body.mass * yaw_rate * w[:, 1], body.mass * yaw_rate * w[:, 0]
     turning[:, 3:] = np.cross(w[:, 3:], momentum)

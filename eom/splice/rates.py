@@ -25,13 +25,12 @@ def rates(x: Any, u: Any, p: Model) -> Any:
     state, at, slip, found = evaluate(x, u, p)
     c, control = p.contact, p.control
     yaw = state.frame[2]
-    v_x, v_y, yaw_rate = state.n[p.body.lead]
-    frame = np.stack((np.cos(yaw) * v_x - np.sin(yaw) * v_y, np.sin(yaw) * v_x + np.cos(yaw) * v_y, yaw_rate))
+    v_x, v_y, yaw_rate = state.n[p.body.lead[0]], state.n[p.body.lead[1]], state.n[p.body.lead[2]]
+    frame = np.array([np.cos(yaw) * v_x - np.sin(yaw) * v_y, np.sin(yaw) * v_x + np.cos(yaw) * v_y, yaw_rate])
     spin = control.spin @ (found.torque + found.forces[3] - c.radius * found.forces[0])
     reach = kept_above(magnitude(slip.forward[c.relaxing]), LOW_SPEED) / c.relaxation
-    parts = [frame, at.dq, found.dn, spin, reach * (slip.side[c.relaxing] - state.side)]
-    if control.drive_lag > 0.0:
-        parts.append((control.demand @ u - state.drive) / control.drive_lag)
-    if control.brake_lag > 0.0:
-        parts.append((control.brake @ u - state.brake) / control.brake_lag)
-    return np.concatenate(parts)
+    side = reach * (slip.side[c.relaxing] - state.side)
+    # without a lag there is no state, and nothing that would be divided
+    drive = (control.demand @ u - state.drive) / control.drive_lag
+    brake = ((control.brake @ u)[: len(state.brake)] - state.brake) / control.brake_lag
+    return np.concatenate((frame, at.dq, found.dn, spin, side, drive, brake))

@@ -61,7 +61,7 @@ def road_forces(slip: Rolling, load: Any, torque: Any, p: Model) -> Any:
     c = p.contact
     found = forces(p.laws, c.number, slip.alpha, slip.kappa, load, slip.camber, slip.forward)
     passed = (torque + found[3]) / c.radius
-    passed[c.spinning] = found[0, c.spinning]
+    passed[c.spinning] = found[0][c.spinning]
     found[0] = passed
     return found
 
@@ -70,7 +70,7 @@ def on_bodies(found: Any, slip: Rolling, load: Any, torque: Any, p: Model) -> An
     """Forces of road forces (5, w) and loads on the bodies, along the rows of `Contact`, (6, w)."""
     c = p.contact
     cos, sin = np.cos(slip.steer), np.sin(slip.steer)
-    Fx, Fy, Mx, _, Mz = found
+    Fx, Fy, Mx, Mz = found[0], found[1], found[2], found[4]
     back = np.zeros_like(Fx)
     back[c.spinning] = torque[c.spinning]
     # what presses beyond the springs that are part of the multibody's stiffness comes from `lifted`
