@@ -18,7 +18,7 @@ from eom.report.table import table
 FOLDER = Path(__file__).parents[1] / "vehicles"
 UNITS = ("tractor", "semitrailer_1", "semitrailer_2")
 AMPLITUDES = (1.79, 3.58)
-MODELS = (
+MODELS: tuple[tuple[str, str, dict[str, float]], ...] = (
     ("29 DOF, f_r = 0", "b_train", {"f_r": 0.0}),
     ("29 DOF, f_r = 0.02", "b_train", {}),
     ("yaw plane", "b_train_yaw_plane_nonlinear", {}),
