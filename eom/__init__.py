@@ -38,12 +38,12 @@ if TYPE_CHECKING:
     from eom.analysis import stability_map as stability_map
     from eom.codegen import write_module as write_module
     from eom.model import LinearModel as LinearModel
-    from eom.model import Reformulation as Reformulation
-    from eom.model import TyreModel as TyreModel
     from eom.model import assemble as assemble
-    from eom.model import build as build
     from eom.model import linearise as linearise
-    from eom.model import reformulate as reformulate
+    from eom.model.reformulation import Reformulation as Reformulation
+    from eom.model.reformulation import reformulate as reformulate
+    from eom.model.tyre import TyreModel as TyreModel
+    from eom.model.tyre import build as build
     from eom.vehicle.load import Vehicle as Vehicle
     from eom.vehicle.load import load as load
     from eom.vehicle.load import loads as loads
@@ -54,10 +54,10 @@ PUBLIC = {
     "Vehicle": "eom.vehicle.load",
     "assemble": "eom.model",
     "linearise": "eom.model",
-    "build": "eom.model",
-    "TyreModel": "eom.model",
-    "reformulate": "eom.model",
-    "Reformulation": "eom.model",
+    "build": "eom.model.tyre",
+    "TyreModel": "eom.model.tyre",
+    "reformulate": "eom.model.reformulation",
+    "Reformulation": "eom.model.reformulation",
     "LinearModel": "eom.model",
     "write_module": "eom.codegen",
     "kinematic_sweep": "eom.analysis",

@@ -18,14 +18,12 @@ from eom.assembly.rows import row_count
 from eom.assembly.statics import unbalanced
 from eom.assembly.vectors import Array
 from eom.errors import DescriptionError, EquilibriumError, SingularError, TyreError
-from eom.splice.linear_tyres import wheels_alone, with_linear_tyres
-from eom.splice.prepare import Prepared, SpliceError, prepare
-from eom.splice.trim import TrimError
-from eom.vehicle.elements import Connection, System
+from eom.vehicle.elements import Connection, System, wheels_alone
 from eom.vehicle.load import Vehicle
 
 if TYPE_CHECKING:
     from eom.model.symbolic import SymbolicAssembly
+    from eom.splice.prepare import Prepared
 
 
 class Descriptor(NamedTuple):
@@ -75,7 +73,7 @@ class Assembly:
     pivots: Pivots
     form: FirstOrder
     system: System
-    prepared: Prepared | None = None
+    prepared: "Prepared | None" = None
 
     @property
     def M(self) -> Array:
@@ -228,6 +226,8 @@ def assemble(vehicle: Vehicle, *, symbols: Sequence[str] | str | None = None) ->
     if findings:
         raise DescriptionError([vehicle.mistake(name, what) for name, what in findings])
     if wheels_alone(system):
+        from eom.splice.linear_tyres import with_linear_tyres  # noqa: PLC0415  tyres take a while to import
+
         prepared = prepared_for(vehicle)
         system = with_linear_tyres(system, prepared)
     algebra = algebra_for(len(system.bodies))
@@ -251,7 +251,7 @@ def assemble(vehicle: Vehicle, *, symbols: Sequence[str] | str | None = None) ->
         raise SingularError(f"{vehicle.file}: {error}: its masses or dampers differ too much in size") from None
 
 
-def prepared_for(vehicle: Vehicle) -> Prepared:
+def prepared_for(vehicle: Vehicle) -> "Prepared":
     """The numbers of the nonlinear equations of a vehicle with wheels.
 
     Raises
@@ -263,6 +263,9 @@ def prepared_for(vehicle: Vehicle) -> Prepared:
     SingularError
         If a motion has no mass, or joints repeat each other.
     """
+    from eom.splice.prepare import SpliceError, prepare  # noqa: PLC0415  tyres take a while to import
+    from eom.splice.trim import TrimError  # noqa: PLC0415
+
     try:
         return prepare(vehicle.system, vehicle.speed)
     except SpliceError as error:

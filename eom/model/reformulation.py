@@ -8,8 +8,11 @@ from eom.assembly.algebra import DENSE, block_diagonal
 from eom.assembly.vectors import Array, array
 from eom.errors import DescriptionError
 from eom.model.assembly import Assembly, assemble
-from eom.splice.linear_tyres import tyre_elements
+from eom.vehicle.elements import Slip, System
 from eom.vehicle.load import Vehicle
+
+WAYS = ("lateral", "longitudinal")
+"""Rows of a wheel, as `eom.splice.linear_tyres` names them."""
 
 
 @dataclass(frozen=True)
@@ -87,3 +90,15 @@ def reformulate(vehicle: Vehicle | Assembly) -> Reformulation:
         velocities=assembly.velocities,
         independent=assembly.independent,
     )
+
+
+def tyre_elements(system: System) -> tuple[tuple[Slip, tuple[int, ...]], ...]:
+    """The slip elements that are tyres of axles, each with the places of its rows among all slip rows."""
+    names = {name for wheel in system.wheels for name in (wheel.axle, *(f"{wheel.name}.{way}" for way in WAYS))}
+    found, row = [], 0
+    for item in system.slip:
+        rows = tuple(range(row, row + len(item.coefficients)))
+        if item.connection.name in names:
+            found.append((item, rows))
+        row += len(rows)
+    return tuple(found)

@@ -15,7 +15,7 @@ from eom.model.assembly import Assembly, assemble, descriptor_of
 from eom.model.field import EXACT, rational_field
 from eom.model.preloads import SymbolicBalance, significant
 from eom.model.traced import Traced, exact, function
-from eom.vehicle.elements import System
+from eom.vehicle.elements import System, wheels_alone
 from eom.vehicle.expression import FUNCTIONS, Number, compute
 from eom.vehicle.expression import names as parameter_names
 from eom.vehicle.load import Vehicle
@@ -127,7 +127,7 @@ class SymbolicAssembly:
 
 def assemble_symbols(vehicle: Vehicle, names: Sequence[str] | str) -> SymbolicAssembly:
     """Assemble a vehicle's matrices with symbols for some of its parameters, or for ``"all"``; see `assemble`."""
-    refuse_membranes(vehicle)
+    refuse_numeric_parts(vehicle)
     numeric = assemble(vehicle)
     symbols = chosen_symbols(vehicle, names)
     leaves = traced_parameters(vehicle, symbols)
@@ -194,9 +194,14 @@ def traced_parameters(vehicle: Vehicle, symbols: Mapping[str, sympy.Symbol]) -> 
     return leaves
 
 
-def refuse_membranes(vehicle: Vehicle) -> None:
-    """Raise for membranes, whose strains and edge loads come from eigenvalues and least squares."""
+def refuse_numeric_parts(vehicle: Vehicle) -> None:
+    """Raise for membranes, found by eigenvalues and least squares, and for wheels, whose tyres' slopes are numbers."""
     what = "has no symbolic form, as no membrane has: leave it out, or take the matrices as numbers"
     mistakes = [vehicle.mistake(item.name, what) for item in vehicle.system.triangles]
+    if wheels_alone(vehicle.system):
+        what = (
+            "has no symbolic form: slopes of its tyre at the trim are numbers; give axles linear tyres without wheels"
+        )
+        mistakes.append(vehicle.mistake(vehicle.system.wheels[0].axle, what))
     if mistakes:
         raise DescriptionError(mistakes)

@@ -7,8 +7,7 @@ import numpy as np
 from eom.assembly.reduction import full
 from eom.model.assembly import Assembly
 from eom.model.linear import LinearModel
-from eom.model.reformulation import reformulate
-from eom.splice.linear_tyres import tyre_elements
+from eom.model.reformulation import reformulate, tyre_elements
 
 LABELS = ("coordinates", "velocities", "independent", "constraint_rows", "rolling_rows", "elastic_rows", "slip_rows")
 

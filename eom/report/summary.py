@@ -13,9 +13,6 @@ from eom.assembly.vectors import Array
 from eom.model.assembly import Assembly
 from eom.model.linear import state_names
 from eom.report.table import table
-from eom.report.wheels import wheel_tables
-from eom.splice.prepare import input_names
-from eom.splice.signals import output_names, spliced_states
 
 # groups of redundant joints that a reader can take in
 SHOWN = 6
@@ -28,7 +25,7 @@ def summary(assembly: Assembly) -> str:
         "\n".join(counts(assembly)),
         "\n".join(trim(assembly)),
         *load_tables(trim_loads(assembly), wheels=assembly.prepared is not None),
-        *(wheel_tables(assembly.prepared) if assembly.prepared is not None else ()),
+        *wheels(assembly),
         *deflections(assembly),
     ]
     return "\n\n".join(blocks) + "\n"
@@ -68,13 +65,14 @@ def counts(assembly: Assembly) -> Iterator[str]:
 
 def signal_counts(assembly: Assembly) -> Iterator[str]:
     """States, with the cyclic ones, inputs and outputs."""
-    prepared, system = assembly.prepared, assembly.system
-    if prepared is None:
+    if assembly.prepared is None:
         names, cyclic = list(state_names(assembly)[0]), assembly.pivots.cyclic
-        inputs, outputs = len(system.inputs), len(system.outputs)
+        inputs, outputs = len(assembly.system.inputs), len(assembly.system.outputs)
     else:
-        names, cyclic = [name for name, _ in spliced_states(prepared)], (0, 1, 2)
-        inputs, outputs = len(input_names(prepared.system)), len(output_names(prepared.system))
+        from eom.report.wheels import signals_of  # noqa: PLC0415  tyres take a while to import
+
+        names, inputs, outputs = signals_of(assembly.prepared)
+        cyclic = (0, 1, 2)
     yield f"states              {len(names)}, of which cyclic: {', '.join(names[k] for k in cyclic) or 'none'}"
     yield f"inputs, outputs     {inputs}, {outputs}"
 
@@ -110,6 +108,14 @@ def trim(assembly: Assembly) -> Iterator[str]:
     how = "statics and stiffness" if stiff else "smallest reactions"
     how = "statics alone" if statics.determinate else how
     yield f"equilibrium         by {how}, largest remainder {worst:.1e} N or N m"
+
+
+def wheels(assembly: Assembly) -> Iterator[str]:
+    """Tables of a vehicle with wheels."""
+    if assembly.prepared is not None:
+        from eom.report.wheels import wheel_tables  # noqa: PLC0415  tyres take a while to import
+
+        yield from wheel_tables(assembly.prepared)
 
 
 def load_tables(loads: TrimLoads, *, wheels: bool) -> Iterator[str]:

@@ -6,7 +6,8 @@ import numpy as np
 
 from eom.report.table import table
 from eom.splice.closure import slopes_at_trim
-from eom.splice.prepare import Prepared
+from eom.splice.prepare import Prepared, input_names
+from eom.splice.signals import output_names, spliced_states
 from eom.splice.trim import loads_at_rest
 
 ALPHA, KAPPA, FX, FY = 0, 1, 0, 1
@@ -45,6 +46,12 @@ def wheel_tables(prepared: Prepared) -> Iterator[str]:
     different = uneven(prepared)
     if different:
         yield f"fitted at the mean load of the wheels that have it, which differ: tyre {', '.join(different)}"
+
+
+def signals_of(prepared: Prepared) -> tuple[list[str], int, int]:
+    """Names of the states, numbers of inputs and outputs of the nonlinear model."""
+    names = [name for name, _ in spliced_states(prepared)]
+    return names, len(input_names(prepared.system)), len(output_names(prepared.system))
 
 
 def uneven(prepared: Prepared) -> list[str]:

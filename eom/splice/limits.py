@@ -48,7 +48,12 @@ def limits(system: System) -> tuple[Limit, ...]:
     ]
     if any(wheel.name != wheel.axle for wheel in system.wheels):
         found += [
-            Limit("rollover", unit.name, "all its wheels on one side have lifted: it rolls over") for unit in units
+            Limit(
+                "rollover",
+                unit.name,
+                "all its wheels of one side are off the road: units that it is coupled to hold it, or it rolls over",
+            )
+            for unit in units
         ]
     return tuple(found)
 

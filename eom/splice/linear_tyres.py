@@ -8,13 +8,6 @@ from eom.vehicle.elements import Slip, System
 
 ALPHA, KAPPA = 0, 1
 FX, FY = 0, 1
-WAYS = ("lateral", "longitudinal")
-
-
-def wheels_alone(system: System) -> bool:
-    """Whether the tyres of axles are wheels alone, and no linear slip elements."""
-    slips = {item.connection.name for item in system.slip}
-    return any(wheel.axle not in slips for wheel in system.wheels)
 
 
 def with_linear_tyres(system: System, prepared: Prepared) -> System:
@@ -34,15 +27,3 @@ def with_linear_tyres(system: System, prepared: Prepared) -> System:
             stiffness = float(slopes[KAPPA, FX, k] * (1.0 + trim.slip[k]))
             slips.append(Slip(forward, ((stiffness / trim.speed,),)))
     return system._replace(loads=(*system.loads, *wheel_forces(system, trim)), slip=(*system.slip, *slips))
-
-
-def tyre_elements(system: System) -> tuple[tuple[Slip, tuple[int, ...]], ...]:
-    """The slip elements that are tyres of axles, each with the places of its rows among all slip rows."""
-    names = {name for wheel in system.wheels for name in (wheel.axle, *(f"{wheel.name}.{way}" for way in WAYS))}
-    found, row = [], 0
-    for item in system.slip:
-        rows = tuple(range(row, row + len(item.coefficients)))
-        if item.connection.name in names:
-            found.append((item, rows))
-        row += len(rows)
-    return tuple(found)

@@ -331,3 +331,9 @@ class System(NamedTuple):
     drags: tuple[Drag, ...] = ()
     drive: Drive = Drive(0.0, 0.0, ())
     units: tuple[Unit, ...] = ()
+
+
+def wheels_alone(system: System) -> bool:
+    """Whether the tyres of axles are wheels alone, and no linear slip elements."""
+    slips = {item.connection.name for item in system.slip}
+    return any(wheel.axle not in slips for wheel in system.wheels)

@@ -11,9 +11,11 @@ import eom
 from eom.analysis import steady_gains, step_response
 from tests.analysis.random_models import drifting_models, model_of, stable_models
 from tests.assembly.systems import PHASES
-from tests.vehicles.shipped import NAMES, text, vehicle
+from tests.vehicles.shipped import NAMES, WHEELED, text, vehicle
 
-SETTLED = [name for name in NAMES if name not in {"disc", "spinning_top"}]
+FREE_SPEED = [name for name in WHEELED if name != "car"]
+"""Rolling resistance that is the same at any speed holds none: their gains are those of an integrator."""
+SETTLED = [name for name in NAMES if name not in {"disc", "spinning_top", *FREE_SPEED}]
 
 
 @pytest.mark.parametrize("name", SETTLED)
@@ -26,7 +28,10 @@ def test_steady_gains_of_shipped_vehicles_are_those_of_python_control(name: str)
     # two factorisations of the same matrix: rounding, relative to the sum of all terms
     inverse = np.abs(np.linalg.inv(reduced.A))
     size = np.abs(reduced.D) + np.abs(reduced.C) @ inverse @ np.abs(reduced.B)
-    assert np.all(np.abs(found - expected) <= 1e-11 * size)
+    # entries of A that symmetry makes zero are rounding of their rows' largest ones
+    rows = np.broadcast_to(np.max(np.abs(reduced.A), axis=1, keepdims=True), reduced.A.shape)
+    rounding = np.abs(reduced.C) @ inverse @ rows @ inverse @ np.abs(reduced.B)
+    assert np.all(np.abs(found - expected) <= 1e-11 * size + 1e-16 * rounding)
 
 
 @settings(max_examples=60, deadline=None, phases=PHASES)

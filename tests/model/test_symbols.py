@@ -9,7 +9,7 @@ from sympy.physics import mechanics
 
 import eom
 from eom.model.symbolic import SymbolicAssembly
-from tests.vehicles.shipped import NAMES, vehicle
+from tests.vehicles.shipped import LINEAR, vehicle
 
 FULL = ("M", "C", "K", "V", "J", "Jn", "H", "H_slip", "D_slip", "F", "G")
 REDUCED = ("E", "A", "B", "B_rate")
@@ -31,7 +31,7 @@ def assert_matrices(own: SymbolicAssembly, numeric: eom.model.Assembly, names: S
         np.testing.assert_allclose(got, expected, rtol=0.0, atol=digits * scale + 1e-300, err_msg=name)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", LINEAR)
 def test_at_the_trim_matrices_in_symbols_are_the_numeric_ones_and_preloads_satisfy_their_equations(name: str) -> None:
     car = vehicle(name)
     own = eom.assemble(car, symbols=SOME.get(name, "all"))
@@ -255,3 +255,8 @@ def test_other_values_that_load_what_carried_nothing_are_refused() -> None:
 
 def test_no_symbols_are_symbolic_matrices_too() -> None:
     assert not eom.assemble(vehicle("quarter_car"), symbols=()).A.free_symbols
+
+
+def test_wheels_have_no_symbolic_form_and_say_so() -> None:
+    with pytest.raises(eom.DescriptionError, match=r"axles.front: has no symbolic form: slopes of its tyre"):
+        eom.assemble(vehicle("b_train"), symbols="all")

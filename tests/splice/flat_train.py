@@ -11,13 +11,16 @@ from numpy.typing import ArrayLike
 
 import eom
 from eom.model.tyre import TyreModel, build_tyre_model
-from eom.splice.laws import fitted
+from eom.tyre import MagicFormula
+from eom.vehicle.elements import Wheel
 from tests.referees import planar_train
 from tests.referees.planar_parts import Motion, PlanarTrain, PlanarUnit, PlanarWheel, split
 from tests.splice.shared import Array, places
 
 HITCHES = ((-5.635, 0.0), (-12.57, 0.0))
 """Place of each pin on the unit ahead and on the unit behind, from the origins of both [m]."""
+STIFFNESSES = {"steer": (424, 170), "drive": (420, 180), "first": (582, 290), "second": (347, 190)}
+"""Cornering [kN/rad] and longitudinal stiffness [kN] of an axle's tyres, by the names of `TEXT`."""
 TEXT = """
 name: B-train without height
 gravity: 9.8 m/s^2
@@ -125,7 +128,7 @@ def pair() -> Pair:
                 x=wheel.place[0] - body.centre[0],
                 radius=wheel.radius,
                 load=load / wheel.number,
-                tyre=fitted(system.tyres[wheel.tyre], nominal_load(model, wheel.tyre), wheel.radius).forces,
+                tyre=tyre_of(model, wheel).forces,
                 spin_inertia=wheel.spin_inertia / wheel.number,
                 steer_index=0 if wheel.steer else None,
                 count=round(wheel.number),
@@ -146,7 +149,22 @@ def pair() -> Pair:
     return Pair(model, PlanarTrain(tuple(units)))
 
 
-def nominal_load(model: TyreModel, tyre: int) -> float:
-    """Load [N] of one wheel at which a law has the stiffnesses of the file: the mean of its wheels at the trim."""
-    wheels, loads = model.prepared.system.wheels, model.prepared.trim.load
-    return float(np.mean([load for wheel, load in zip(wheels, loads, strict=True) if wheel.tyre == tyre]))
+def tyre_of(model: TyreModel, wheel: Wheel) -> MagicFormula:
+    """A wheel's tyre: stiffnesses of `TEXT` at the mean load of one wheel of those that share them."""
+    system = model.prepared.system
+    same = [other.tyre == wheel.tyre for other in system.wheels]
+    load = float(np.mean(model.prepared.trim.load[same])) / 2.0
+    cornering, longitudinal = (1e3 * value / 2.0 for value in STIFFNESSES[system.tyres[wheel.tyre].name])
+    return MagicFormula(
+        nominal_load=load,
+        k_y=cornering / load,
+        k_x=longitudinal / load,
+        mu_x=0.85,
+        mu_y=0.85,
+        C_x=1.65,
+        E_x=0.0,
+        C_y=1.3,
+        E_y=-1.0,
+        rolling_resistance=0.01,
+        radius=wheel.radius,
+    )

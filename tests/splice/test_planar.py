@@ -101,13 +101,13 @@ def difference(found: Pair, steer: float, signals: dict[str, float]) -> Differen
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_manoeuvres_are_right_to_the_second_order_of_the_steer(kind: str) -> None:
-    """At 4 deg, where the train turns with 0.28 g and articulates by 6 deg, half a per cent is wrong.
+    """At 4 deg, where the train turns with 0.47 g and articulates by 7 deg, up to 0.7 % is wrong.
 
-    A quarter of that is left at each halving: seen are 4.0 to 4.4, from the top, where tyres are not linear any more.
-    The speed, even in the steer, is better than its second order: a sixteenth is left. Motions are integrated to 1e-8.
+    A quarter of that is left at each halving: seen are 4.0 to 6.2, most at the top, where tyres are not linear any
+    more. The speed, even in the steer, is better than its second order: 13 to 16. Motions are integrated to 1e-8.
     """
     found = np.array([difference(both(), steer, KINDS[kind]) for steer in STEERS[kind]])
-    assert np.all(found[0] < Difference(0.006, 0.005, 0.004, 0.001))
+    assert np.all(found[0] < Difference(0.008, 0.006, 0.005, 0.002))
     ratios = found[:-1, :3] / found[1:, :3]
     assert np.all(ratios > 3.9), ratios
-    assert np.all(found[:-1, 3] / found[1:, 3] > 14.0)
+    assert np.all(found[:-1, 3] / found[1:, 3] > 12.0)

@@ -235,7 +235,7 @@ def test_names_of_wheels_lead_to_their_axles_in_the_file() -> None:
 
 def test_modules_of_files_with_linear_tyres_have_no_wheels_in_them() -> None:
     text = module_text(vehicle("b_train_yaw_plane"))
-    assert "wheels=" not in text
+    assert " wheels=" not in text
     assert "tyres=" not in text
 
 
@@ -271,7 +271,7 @@ def test_the_b_trains_supports_carry_what_levers_of_its_weights_give() -> None:
     first = 9.8 * 17_997 + second - middle
     tandem = 9.8 * (6308 * 1.384 + 1950 * 3.98845) / 5.635 + first
     front = 9.8 * 8258 + first - tandem
-    found = trim_loads(eom.assemble(vehicle("b_train"))).supports
+    found = trim_loads(eom.assemble(vehicle("b_train", f_r=0.0))).supports
     levers = dict(zip(LOADS, (front, tandem, middle, rear), strict=True))
     for name, printed in LOADS.items():
         # rounding of a solve, and of the printed digits
