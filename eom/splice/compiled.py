@@ -1,4 +1,4 @@
-"""The nonlinear equations as machine code: the functions that NumPy runs, with compiled ones in place of what they call."""
+"""The nonlinear equations as machine code: the functions that NumPy runs, calling compiled ones."""
 
 import functools
 from collections.abc import Callable, Sequence
@@ -12,6 +12,7 @@ from eom.assembly.vectors import Array
 from eom.splice.laws import forces as tyre_forces
 from eom.splice.rates import rates
 from eom.splice.state import Model
+from eom.splice.structures import as_structure, structure
 from eom.tyre.kernel import Kernel, compile_forces, loaded, numba
 
 PACKAGE = "eom"
@@ -37,8 +38,8 @@ class Table(NamedTuple):
 def compile_rates(p: Model) -> Compiled:
     """Compile the equations of a model.
 
-    Models with the same tyre formulas share the code, whatever their numbers and sizes; the first call of a process
-    takes its compilation. Raises `eom.TyreError` if numba is not installed.
+    Models with the same tyre formulas share the code, whatever their numbers and sizes; the first call in a process
+    takes a minute for each combination of formulas. Raises `eom.TyreError` if numba is not installed.
     """
     kernels = [compile_forces(group.tyre) for group in p.laws]
     return Compiled(compiled_rates(tuple(kernel.run for kernel in kernels)), compact(p, kernels))
@@ -47,19 +48,26 @@ def compile_rates(p: Model) -> Compiled:
 @functools.cache
 def compiled_rates(formulas: tuple[Any, ...]) -> Any:
     """The rates with given compiled formulas, a group of wheels each."""
-    return machine_code(rates, {tyre_forces: forces_by(formulas)})
+    inner = machine_code(rates, {tyre_forces: forces_by(formulas)})
+    return numba().njit(error_model="numpy")(inner.py_func)
 
 
 def machine_code(function: Any, made: dict[Any, Any]) -> Any:
-    """A function compiled, and with it all functions of this package that it calls; *made* holds what is already."""
+    """A function to be put in place where compiled code calls it, and so all functions of this package that it calls.
+
+    *made* holds what is already compiled.
+    """
     if function not in made:
         names = {}
         for name in loaded(function, "LOAD_GLOBAL"):
             value = function.__globals__.get(name)
             if isinstance(value, FunctionType) and value.__module__.startswith(PACKAGE):
                 names[name] = machine_code(value, made)
+            elif hasattr(value, "_fields"):
+                names[name] = structure(value)
         plain = FunctionType(function.__code__, {**function.__globals__, **names}, function.__name__)
-        made[function] = numba().njit(error_model="numpy")(plain)
+        # a function that is called is optimised again in each that calls it: put in place, once in all
+        made[function] = numba().njit(error_model="numpy", inline="always")(plain)
     return made[function]
 
 
@@ -102,16 +110,9 @@ def group_filler(k: int, formula: Any, rest: Any) -> Callable[..., None]:
 
 
 def compact(p: Model, kernels: Sequence[Kernel]) -> Any:
-    """A model's numbers with contiguous arrays of one type, and tables of coefficients in place of tyres."""
-    tables = tuple(
+    """A model's numbers as structures, with tables of coefficients in place of tyres."""
+    tables: Any = tuple(
         Table(np.ascontiguousarray(group.wheels, dtype=np.int64), kernel.table)
         for group, kernel in zip(p.laws, kernels, strict=True)
     )
-    return Model(plain(p.body), plain(p.contact), plain(p.control), tables, plain(p.load_gain))
-
-
-def plain(part: Any) -> Any:
-    """Arrays in row order, of doubles or 64-bit integers; the rest as it is."""
-    if isinstance(part, np.ndarray):
-        return np.ascontiguousarray(part, dtype=np.float64 if part.dtype.kind == "f" else np.int64)
-    return type(part)(*map(plain, part)) if isinstance(part, tuple) else part
+    return as_structure(p._replace(laws=tables))

@@ -22,7 +22,8 @@ def evaluate(x: Any, u: Any, p: Model) -> Evaluation:
 
 def rates(x: Any, u: Any, p: Model) -> Any:
     """dx/dt at a state x under inputs u."""
-    state, at, slip, found = evaluate(x, u, p)
+    every = evaluate(x, u, p)
+    state, at, slip, found = every.state, every.motion, every.rolling, every.balance
     c, control = p.contact, p.control
     yaw = state.frame[2]
     v_x, v_y, yaw_rate = state.n[p.body.lead[0]], state.n[p.body.lead[1]], state.n[p.body.lead[2]]
