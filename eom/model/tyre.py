@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -27,6 +27,10 @@ class Run(NamedTuple):
 
     x: Array
     u: Array
+
+
+if TYPE_CHECKING:
+    from eom.splice.compiled import Compiled
 
 
 @dataclass(frozen=True)
@@ -93,6 +97,15 @@ class TyreModel:
         """How far each limit is away, negative beyond it; continuous, so that a solver can find where it is zero."""
         found: Array = all_margins(self.evaluated(x, u), self.numbers, self.signals)
         return found
+
+    def compiled(self) -> "Compiled":
+        """The rates as machine code, ``rates(x, u, numbers)`` with its numbers; needs numba.
+
+        To be called from Python or from compiled code. The first call takes some half a minute to compile.
+        """
+        from eom.splice.compiled import compile_rates  # noqa: PLC0415  needs numba
+
+        return compile_rates(self.numbers)
 
     def trim(self, speed: float | None = None) -> Run:
         """The straight run at a forward speed [m/s], the file's own if none is given; raises `EquilibriumError`."""

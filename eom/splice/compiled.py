@@ -9,11 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from eom.assembly.vectors import Array
+from eom.splice.flat import flat
 from eom.splice.laws import forces as tyre_forces
-from eom.splice.rates import rates
+from eom.splice.loops import rates_by_loops
 from eom.splice.state import Model
-from eom.splice.structures import as_structure, structure
-from eom.tyre.kernel import Kernel, compile_forces, loaded, numba
+from eom.splice.structures import as_structure
+from eom.tyre.kernel import compile_forces, loaded, numba
 
 PACKAGE = "eom"
 
@@ -38,36 +39,33 @@ class Table(NamedTuple):
 def compile_rates(p: Model) -> Compiled:
     """Compile the equations of a model.
 
-    Models with the same tyre formulas share the code, whatever their numbers and sizes; the first call in a process
-    takes a minute for each combination of formulas. Raises `eom.TyreError` if numba is not installed.
+    Models with the same tyre formulas share the code, whatever their numbers and sizes; the first call of a process
+    takes its compilation. Raises `eom.TyreError` if numba is not installed.
     """
     kernels = [compile_forces(group.tyre) for group in p.laws]
-    return Compiled(compiled_rates(tuple(kernel.run for kernel in kernels)), compact(p, kernels))
+    tables = tuple(
+        Table(np.ascontiguousarray(group.wheels, dtype=np.int64), kernel.table)
+        for group, kernel in zip(p.laws, kernels, strict=True)
+    )
+    return Compiled(compiled_rates(tuple(kernel.run for kernel in kernels)), as_structure(flat(p, tables)))
 
 
 @functools.cache
 def compiled_rates(formulas: tuple[Any, ...]) -> Any:
     """The rates with given compiled formulas, a group of wheels each."""
-    inner = machine_code(rates, {tyre_forces: forces_by(formulas)})
-    return numba().njit(error_model="numpy")(inner.py_func)
+    return machine_code(rates_by_loops, {tyre_forces: forces_by(formulas)})
 
 
 def machine_code(function: Any, made: dict[Any, Any]) -> Any:
-    """A function to be put in place where compiled code calls it, and so all functions of this package that it calls.
-
-    *made* holds what is already compiled.
-    """
+    """A function compiled, with all functions of this package that it calls; *made* holds what is compiled already."""
     if function not in made:
         names = {}
         for name in loaded(function, "LOAD_GLOBAL"):
             value = function.__globals__.get(name)
             if isinstance(value, FunctionType) and value.__module__.startswith(PACKAGE):
                 names[name] = machine_code(value, made)
-            elif hasattr(value, "_fields"):
-                names[name] = structure(value)
         plain = FunctionType(function.__code__, {**function.__globals__, **names}, function.__name__)
-        # a function that is called is optimised again in each that calls it: put in place, once in all
-        made[function] = numba().njit(error_model="numpy", inline="always")(plain)
+        made[function] = numba().njit(error_model="numpy")(plain)
     return made[function]
 
 
@@ -79,8 +77,10 @@ def forces_by(formulas: Sequence[Any]) -> Any:
         fill = njit(group_filler(k, formula, fill))
 
     def forces(groups: Any, count: Any, alpha: Any, kappa: Any, Fz: Any, gamma: Any, speed: Any) -> Any:
-        result = np.zeros((5, len(count)))
-        arguments = np.stack((alpha, kappa, Fz / count, gamma, speed))
+        result, arguments = np.zeros((5, len(count))), np.empty((5, len(count)))
+        for k in range(len(count)):
+            arguments[0, k], arguments[1, k], arguments[2, k] = alpha[k], kappa[k], Fz[k] / count[k]
+            arguments[3, k], arguments[4, k] = gamma[k], speed[k]
         fill(groups, arguments, count, result)
         return result
 
@@ -96,23 +96,14 @@ def group_filler(k: int, formula: Any, rest: Any) -> Callable[..., None]:
 
     def fill(groups: Any, arguments: Any, count: Any, result: Any) -> None:
         wheels, coefficients = groups[k]
-        own = np.empty((5, len(wheels)))
-        for column in range(len(wheels)):
-            own[:, column] = arguments[:, wheels[column]]
-        found = np.empty_like(own)
+        own, found = np.empty((5, len(wheels))), np.empty((5, len(wheels)))
+        for row in range(5):
+            for column in range(len(wheels)):
+                own[row, column] = arguments[row, wheels[column]]
         formula(coefficients, own, found)
-        for column in range(len(wheels)):
-            wheel = wheels[column]
-            result[:, wheel] = count[wheel] * found[:, column]
+        for row in range(5):
+            for column in range(len(wheels)):
+                result[row, wheels[column]] = count[wheels[column]] * found[row, column]
         rest(groups, arguments, count, result)
 
     return fill
-
-
-def compact(p: Model, kernels: Sequence[Kernel]) -> Any:
-    """A model's numbers as structures, with tables of coefficients in place of tyres."""
-    tables: Any = tuple(
-        Table(np.ascontiguousarray(group.wheels, dtype=np.int64), kernel.table)
-        for group, kernel in zip(p.laws, kernels, strict=True)
-    )
-    return as_structure(p._replace(laws=tables))
