@@ -12,6 +12,7 @@ from eom.closed_form import brakes as brakes
 from eom.closed_form import driver as driver
 from eom.closed_form import tractor_semitrailer as tractor_semitrailer
 from eom.closed_form import tractor_semitrailer_nonlinear as tractor_semitrailer_nonlinear
+from eom.closed_form import wheel_loads as wheel_loads
 from eom.closed_form.b_train_parameters import BTrainBraked as BTrainBraked
 from eom.closed_form.b_train_parameters import BTrainYawPlane as BTrainYawPlane
 from eom.closed_form.b_train_roll_parameters import BTrainYawRoll as BTrainYawRoll
