@@ -263,13 +263,14 @@ def prepared_for(vehicle: Vehicle) -> "Prepared":
     SingularError
         If a motion has no mass, or joints repeat each other.
     """
-    from eom.splice.prepare import SpliceError, prepare  # noqa: PLC0415  tyres take a while to import
+    from eom.splice.checks import SpliceError  # noqa: PLC0415  tyres take a while to import
+    from eom.splice.prepare import prepare  # noqa: PLC0415
     from eom.splice.trim import TrimError  # noqa: PLC0415
 
     try:
         return prepare(vehicle.system, vehicle.speed)
     except SpliceError as error:
-        raise DescriptionError([vehicle.mistake(error.owner, str(error))]) from None
+        raise DescriptionError([vehicle.mistake(owner, what) for owner, what in error.findings]) from None
     except TrimError as error:
         raise EquilibriumError(str(vehicle.mistake(error.owner, str(error)))) from None
     except TyreError as error:

@@ -20,7 +20,7 @@ def passive_forces(state: State, u: Any, at: Motion, p: Model) -> Any:
     along = drags @ at.local
     planar = body.planar - drags.T @ (p.control.drag_factor * along * magnitude(along))
     drifting = body_velocity(at, v_x)
-    drifting[0::6] -= v_x
+    drifting[0::6] -= body.speed
     planar = planar - body.C_slip @ drifting
     w = at.w.reshape(-1, 6)
     momentum = np.sum(body.inertia * w[:, np.newaxis, 3:], axis=2)
@@ -28,7 +28,18 @@ def passive_forces(state: State, u: Any, at: Motion, p: Model) -> Any:
     turning[:, 0], turning[:, 1] = -body.mass * yaw_rate * w[:, 1], body.mass * yaw_rate * w[:, 0]
     turning[:, 3:] = np.cross(w[:, 3:], momentum)
     elastic = body.K @ at.displaced + body.C @ at.w
-    return body.f + body.B @ u + headed(planar, at.displaced[5::6]) - elastic - turning.ravel()
+    return body.f + input_forces(u, at, p) + headed(planar, at.displaced[5::6]) - elastic - turning.ravel()
+
+
+def input_forces(u: Any, at: Motion, p: Model) -> Any:
+    """Generalised forces of the multibody part's inputs, (N,); both ends turn with the heading of the first body."""
+    body = p.body
+    result = body.B @ u + 0.0 * at.displaced
+    yaw = at.displaced[5::6][body.steering]
+    x, y = body.B[0::6] * u, body.B[1::6] * u
+    result[0::6] = np.sum(np.cos(yaw) * x - np.sin(yaw) * y, axis=1)
+    result[1::6] = np.sum(np.sin(yaw) * x + np.cos(yaw) * y, axis=1)
+    return result
 
 
 def accelerations(at: Motion, applied: Any, p: Model) -> tuple[Any, Any, Any]:

@@ -17,6 +17,7 @@ from eom.splice.multibody import frame_motion
 from eom.splice.prepare import Prepared
 from eom.splice.state import Model, sizes
 from eom.splice.trim import STEP, road_loads
+from eom.splice.wheels import slip_speed
 
 
 class Closed(NamedTuple):
@@ -38,6 +39,12 @@ class Closed(NamedTuple):
     w: Array
     dw: Array
     load: Array
+
+
+def slip_speed_slope(U: float) -> tuple[float, float]:
+    """The speed over which slips are formed at a forward speed, and its slope [m/s, -]."""
+    at = slip_speed(U + 1j * STEP)
+    return float(at.real), float(at.imag / STEP)
 
 
 def slopes_at_trim(prepared: Prepared) -> Array:
@@ -92,15 +99,16 @@ def wheels(prepared: Prepared, unknown: Columns, w: Array, p: Array) -> WheelCol
     """Slopes of what the wheels do, with velocities w and displacements p by the unknowns."""
     model, trim = prepared.model, prepared.trim
     c, control, U = model.contact, model.control, trim.speed
+    over, change = slip_speed_slope(U)
     radius, forward = c.radius[:, np.newaxis], c.rows[FORWARD] @ w
     spinning = np.zeros((len(c.number), 1))
     spinning[c.spinning] = 1.0
     steer, omega = control.steer @ unknown.u, forward / radius
     omega[c.spinning] = unknown.spin
-    side = (c.rows[LATERAL] @ w) / U - steer
+    side = (c.rows[LATERAL] @ w - U * steer) / over
     alpha = side + 0.0
     alpha[c.relaxing] = unknown.side
-    kappa = spinning * (radius * omega - (1.0 + trim.slip)[:, np.newaxis] * forward) / U
+    kappa = spinning * (radius * omega - (1.0 + change * trim.slip)[:, np.newaxis] * forward) / over
     load = c.share @ unknown.support + (c.rolled + c.sprung) @ p + c.damped @ (w - prepared.matrices.V @ p)
     arguments = np.array([alpha, kappa, load, c.lean @ p, forward])
     Fx, Fy, Mx, My, Mz = np.einsum("acw,aws->cws", slopes_at_trim(prepared), arguments)
@@ -109,7 +117,8 @@ def wheels(prepared: Prepared, unknown: Columns, w: Array, p: Array) -> WheelCol
     Fx = spinning * Fx + (1.0 - spinning) * (torque + My) / radius
     Fx0, Fy0, Mx0, _, _ = trim.forces[:, :, np.newaxis]
     rolling = Mx + c.lever[:, np.newaxis] * load
-    on_body = np.array((Fx - Fy0 * steer, Fy + Fx0 * steer, rolling, Mx0 * steer - spinning * torque, Mz, 0.0 * Fx))
+    back = spinning * torque - (1.0 - spinning) * My
+    on_body = np.array((Fx - Fy0 * steer, Fy + Fx0 * steer, rolling, Mx0 * steer - back, Mz, 0.0 * Fx))
     return WheelColumns(side, torque + My - radius * Fx, load, np.einsum("kwn,kws->ns", c.rows, on_body))
 
 
@@ -130,7 +139,8 @@ def close(prepared: Prepared) -> Closed:
     dq = equations.Qq @ q + equations.Qn @ n
     dw = reduction.W @ dn + reduction.Z @ dq
     carried = (body.react @ (matrices.M @ dw + matrices.C @ w + matrices.K @ p - force))[c.supports]
-    relaxing = (wheel.side[c.relaxing] - lagging) * (U / c.relaxation)[:, np.newaxis]
+    reach = slip_speed_slope(U)[0] / c.relaxation
+    relaxing = (wheel.side[c.relaxing] - lagging) * reach[:, np.newaxis]
     rates = [dq, dn, control.spin @ wheel.torque, relaxing]
     if len(drive):
         rates.append((control.demand @ u - drive) / control.drive_lag)

@@ -70,7 +70,7 @@ class Contact(NamedTuple):
 def spliced(system: System) -> System:
     """The system without what its wheels put in its place: slip of tyres, roll stiffness of tyres, drag."""
     names = {wheel.axle for wheel in system.wheels} | {drag.name for drag in system.drags}
-    rolling = {wheel.spring for wheel in system.wheels if wheel.roll_rate}
+    rolling = {wheel.spring for wheel in system.wheels if wheel.roll_rate and wheel.support}
     return system._replace(
         constraints=tuple(item for item in system.constraints if not item.moving),
         slip=tuple(item for item in system.slip if item.connection.name not in names),
@@ -99,7 +99,7 @@ def contacts(system: System, pivots: Pivots, loads: Array, reactions: Array) -> 
     roll = wheel_rows(system, ROLL)
     spring_rows = np.zeros((2, *roll.shape))
     for k, wheel in enumerate(wheels):
-        if not wheel.support and wheel.spring in springs:
+        if not (wheel.support or wheel.roll_rate) and wheel.spring in springs:
             spring_rows[:, k] = spring_forces(system, springs[wheel.spring])
     supports = np.array([row_of(system, pivots, name) for name in names], dtype=np.intp)
     carried = reactions[np.array(pivots.rows, dtype=np.intp)[supports]]
@@ -116,7 +116,7 @@ def contacts(system: System, pivots: Pivots, loads: Array, reactions: Array) -> 
         share=share,
         most=most,
         alone=np.where(np.any(share, axis=1), 0.0, np.inf),
-        rolled=np.array([wheel.roll_rate for wheel in wheels])[:, np.newaxis] * roll,
+        rolled=np.array([wheel.roll_rate if wheel.support else 0.0 for wheel in wheels])[:, np.newaxis] * roll,
         sprung=spring_rows[0],
         damped=spring_rows[1],
         spinning=np.flatnonzero([wheel.spin_inertia > 0.0 for wheel in wheels]),
@@ -157,7 +157,7 @@ def spring_loads(system: System, matrices: Matrices, wheels: Sequence[Wheel]) ->
     tensions: Mapping[str, float] = dict(
         zip((item.connection.name for item in system.elastic), elastic_tensions(system, matrices), strict=True)
     )
-    return np.array([0.0 if wheel.support else tensions.get(wheel.spring, 0.0) for wheel in wheels])
+    return np.array([0.0 if wheel.support or wheel.roll_rate else tensions.get(wheel.spring, 0.0) for wheel in wheels])
 
 
 def elastic_tensions(system: System, matrices: Matrices) -> list[float]:

@@ -46,6 +46,8 @@ class FlatBody(NamedTuple):
     f: Array
     planar: Array
     B: Entries
+    steering: Indices
+    speed: float
     lead: Indices
     held: bool
     rows: int
@@ -143,6 +145,8 @@ def flat(p: Model, tyres: Any) -> Flat:
             f=body.f,
             planar=body.planar,
             B=entries(body.B),
+            steering=body.steering,
+            speed=body.speed,
             lead=body.lead,
             held=body.held,
             rows=rows,

@@ -10,12 +10,17 @@ from eom.splice.outputs import Signals
 from eom.splice.signals import units_of
 from eom.splice.state import Evaluation, Model
 from eom.splice.wheels import free_loads
+from eom.tyre.contact import rolling_sense
 from eom.vehicle.elements import System
 
 SMALL_ARTICULATION, SMALL_ROLL = np.radians(15.0), np.radians(10.0)
 """Angles [rad] beyond which the displacements are not small any more."""
 JACKKNIFE = np.radians(30.0)
 """Rate of articulation [rad/s] of a train that folds up; lane changes stay below 15 deg/s."""
+STRAIGHT = np.radians(1.0)
+"""Articulation [rad] about which a train has no side to fold to."""
+SLOW = 1.0
+"""Forward speed [m/s] below which no wheel counts as locked, by degrees."""
 LOCKED = 0.05
 """Share of the forward speed that is left to the tread of a wheel that locks."""
 
@@ -64,14 +69,17 @@ def all_margins(evaluation: Evaluation, p: Model, s: Signals) -> Any:
     c = p.contact
     yaw, yaw_rate = at.displaced[5::6][s.leads], at.w[5::6][s.leads]
     angle, rate = np.diff(yaw), np.diff(yaw_rate)
-    tread = slip.omega[c.spinning] * c.radius[c.spinning] - LOCKED * slip.forward[c.spinning]
+    forward = slip.forward[c.spinning]
+    # along the way the wheel moves; a wheel that stands locks nothing
+    sense = rolling_sense(forward, SLOW)
+    tread = sense * (slip.omega[c.spinning] * c.radius[c.spinning] - LOCKED * forward) + SLOW * (1.0 - sense * sense)
     free = free_loads(at, found.assumed, p)
     parts: list[NDArray[np.float64]] = [
         SMALL_ARTICULATION - np.abs(angle),
-        JACKKNIFE - np.sign(angle) * rate,
+        JACKKNIFE - rate * angle / np.sqrt(angle * angle + STRAIGHT * STRAIGHT),
         SMALL_ROLL - np.abs(at.displaced[3::6]),
         free,
-        np.where(np.abs(slip.forward[c.spinning]) > 1.0, tread, 1.0),
+        tread,
     ]
     if np.any(s.side):
         parts.append(standing(free, s))

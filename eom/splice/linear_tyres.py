@@ -1,6 +1,6 @@
 """A system whose wheels have linear tyres at the trim: what the linear kernel assembles."""
 
-from eom.splice.closure import slopes_at_trim
+from eom.splice.closure import slip_speed_slope, slopes_at_trim
 from eom.splice.contact import FORWARD, LATERAL, wheel_connection
 from eom.splice.prepare import Prepared
 from eom.splice.trim import wheel_forces
@@ -18,12 +18,13 @@ def with_linear_tyres(system: System, prepared: Prepared) -> System:
     """
     trim = prepared.trim
     slopes = slopes_at_trim(prepared)
+    over, change = slip_speed_slope(trim.speed)
     slips = []
     for k, wheel in enumerate(system.wheels):
         lateral = wheel_connection(wheel, LATERAL)._replace(name=f"{wheel.name}.lateral")
-        slips.append(Slip(lateral, ((float(-slopes[ALPHA, FY, k]) / trim.speed,),)))
+        slips.append(Slip(lateral, ((float(-slopes[ALPHA, FY, k]) / over,),)))
         if wheel.spin_inertia > 0.0:
             forward = wheel_connection(wheel, FORWARD)._replace(name=f"{wheel.name}.longitudinal")
-            stiffness = float(slopes[KAPPA, FX, k] * (1.0 + trim.slip[k]))
-            slips.append(Slip(forward, ((stiffness / trim.speed,),)))
+            stiffness = float(slopes[KAPPA, FX, k] * (1.0 + change * trim.slip[k]))
+            slips.append(Slip(forward, ((stiffness / over,),)))
     return system._replace(loads=(*system.loads, *wheel_forces(system, trim)), slip=(*system.slip, *slips))

@@ -67,11 +67,11 @@ def passive(u: Any, n: Any, w: Any, local: Any, displaced: Any, p: Flat) -> Any:
             planar[j] -= drags[k, j] * drag_factor[k] * along * abs(along)
     mass, inertia, drifting = body.mass, body.inertia, local.copy()
     for i in range(len(mass)):
-        drifting[6 * i] -= v_x
+        drifting[6 * i] -= body.speed
         drifting[6 * i + 2] += v_x * displaced[6 * i + 4]
     add_product(body.C_slip, drifting, planar, -1.0)
     result = body.f + turned(planar, displaced, 1.0)
-    add_product(body.B, u, result, 1.0)
+    add_inputs(u, displaced, result, body)
     add_product(body.K, displaced, result, -1.0)
     add_product(body.C, w, result, -1.0)
     momentum = np.empty(3)
@@ -86,6 +86,22 @@ def passive(u: Any, n: Any, w: Any, local: Any, displaced: Any, p: Flat) -> Any:
         result[at + 4] -= c * momentum[0] - a * momentum[2]
         result[at + 5] -= a * momentum[1] - b * momentum[0]
     return result
+
+
+def add_inputs(u: Any, displaced: Any, result: Any, body: FlatBody) -> None:
+    """Add the forces of the multibody part's inputs, turned with the headings of the bodies that steer them."""
+    row, column, value, steering = body.B.row, body.B.column, body.B.value, body.steering
+    for k in range(len(value)):
+        force = value[k] * u[column[k]]
+        yaw = displaced[6 * steering[column[k]] + 5]
+        if row[k] % 6 == 0:
+            result[row[k]] += math.cos(yaw) * force
+            result[row[k] + 1] += math.sin(yaw) * force
+        elif row[k] % 6 == 1:
+            result[row[k] - 1] -= math.sin(yaw) * force
+            result[row[k]] += math.cos(yaw) * force
+        else:
+            result[row[k]] += force
 
 
 def slips(arguments: Any, side: Any, omega: Any, steer: Any, x: Any, local: Any, p: Flat) -> None:
@@ -135,7 +151,7 @@ def on_bodies(arguments: Any, load: Any, torque: Any, steer: Any, sprung: Any, f
         result[0, k] = cos * found[0, k] - sin * found[1, k]
         result[1, k] = sin * found[0, k] + cos * found[1, k]
         result[2, k] = cos * found[2, k] + lever[k] * load[k]
-        result[3, k] = sin * found[2, k] - (torque[k] if spins else 0.0)
+        result[3, k] = sin * found[2, k] - (torque[k] if spins else -found[3, k])
         result[4, k] = found[4, k]
         if alone[k] > 0.0:
             result[5, k] = load[k] - sprung[k]

@@ -53,7 +53,11 @@ class Multibody(NamedTuple):
     planar : Array
         Loads that turn with the heading of their body, (N,).
     B : Array
-        Generalised force per input of the multibody part, (N, inputs).
+        Generalised force per input of the multibody part, (N, inputs), at the trim.
+    steering : NDArray
+        Body with whose heading each of these inputs turns, (inputs,).
+    speed : float
+        Of the trim [m/s], from which air's forces count.
     lead : Array
         Places of the lead's v_x, v_y and yaw rate in n.
     held : bool
@@ -75,11 +79,13 @@ class Multibody(NamedTuple):
     f: Array
     planar: Array
     B: Array
+    steering: NDArray[np.intp]
+    speed: float
     lead: NDArray[np.intp]
     held: bool
 
 
-def multibody(system: System, pivots: Pivots, matrices: Matrices, *, held: bool) -> Multibody:
+def multibody(system: System, pivots: Pivots, matrices: Matrices, speed: float, *, held: bool) -> Multibody:
     """The multibody part of a system; *matrices* are its own under the forces of the trim."""
     reduction, bodies = matrices.reduction, system.bodies
     own = np.flatnonzero(~np.isin(reduction.independent, LEAD))
@@ -117,6 +123,8 @@ def multibody(system: System, pivots: Pivots, matrices: Matrices, *, held: bool)
         f=f,
         planar=load_sums(bodies, [load for load in system.loads if load.frame == load.body])[0],
         B=matrices.F,
+        steering=np.array([max(item.connection.bodies[0], 0) for item in system.inputs], dtype=np.intp),
+        speed=speed,
         lead=lead,
         held=held,
     )
@@ -141,10 +149,10 @@ def elastic_tangent(system: System, matrices: Matrices) -> Array:
 
 
 def row_of(system: System, pivots: Pivots, name: str) -> int:
-    """Place of a constraint's first row among the independent ones, -1 if it is not among them."""
+    """Place of a constraint's first row among the independent ones; ``ValueError`` if it is not among them."""
     row = 0
     for item in system.constraints:
         if item.connection.name == name:
-            return pivots.rows.index(row) if row in pivots.rows else -1
+            break
         row += row_count(item.connection)
-    return -1
+    return pivots.rows.index(row)

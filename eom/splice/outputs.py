@@ -10,6 +10,7 @@ from eom.assembly.matrices import DISPLACEMENTS, VELOCITIES
 from eom.assembly.vectors import Array
 from eom.splice.motion import body_velocity, headed
 from eom.splice.state import Balance, Evaluation, Model, Motion, State
+from eom.splice.wheels import slip_speed
 
 POSITION, VELOCITY, ACCELERATION = range(3)
 
@@ -22,6 +23,9 @@ class Signals(NamedTuple):
     rows, quantity, inertial, feedthrough : Array
         Rows of the measured motions, (k, N), what of them is measured, whether in inertial axes, and direct gains of
         the inputs, (k, u).
+    points, point_at, axis, whole : Array
+        Of translations against the ground: rows of the point's translation along x, y, z, (3, k, N), its place counted
+        from the first body, (k, 2) [m], its direction, (k, 3), and the sum of the weights; zero for others.
     trim_speed : float
         By which the rows of sideslips are divided [m/s].
     slipping : NDArray
@@ -47,6 +51,10 @@ class Signals(NamedTuple):
     quantity: NDArray[np.intp]
     inertial: NDArray[np.bool_]
     feedthrough: Array
+    points: Array
+    point_at: Array
+    axis: Array
+    whole: Array
     trim_speed: float
     slipping: NDArray[np.intp]
     centres: Array
@@ -96,7 +104,7 @@ def turned_by(yaw: Any, offsets: Any) -> Any:
 def paths(state: State, at: Motion, s: Signals) -> Any:
     """Place of each unit's whole-mass centre [m] and its heading [rad] in the plane, (m, 3); exact at any angle."""
     yaw = state.frame[2] + at.displaced[5::6][s.leads]
-    ahead = turned_by(np.concatenate((yaw[:1], yaw[:-1])), s.ahead)
+    ahead = turned_by(np.concatenate((state.frame[2:3], yaw[:-1])), s.ahead)
     lead = state.frame[:2] + np.cumsum(ahead + turned_by(yaw, s.own), axis=0)
     return np.concatenate((lead + turned_by(yaw, s.centre), yaw[:, np.newaxis]), axis=1)
 
@@ -113,32 +121,62 @@ def local_acceleration(state: State, at: Motion, found: Balance, p: Model) -> An
 def measured(found: Evaluation, u: Any, p: Model, s: Signals) -> Any:
     """The measured motions, (k,).
 
-    Velocities are whole ones. Accelerations are resolved along each body's own heading; those in body axes are rates
-    of change of the components.
+    Velocities are whole ones. Translations against the ground are those of the point, at any heading. Accelerations
+    are resolved along each body's own heading; those in body axes are rates of change of the components.
     """
     state, at, _, balance = found
     velocity, acceleration = body_rates(found), local_acceleration(state, at, balance, p)
     changing = acceleration.reshape(-1, 6) + 0.0
     by_body = velocity.reshape(-1, 6)
     changing[:, :3] -= np.cross(by_body[:, 3:], by_body[:, :3])
-    inertial = headed(at.w, state.frame[2] + 0.0 * at.displaced[5::6])
+    grounded = s.whole != 0.0
+    heading, centripetal = state.frame[2], at.w[5::6] * at.w[5::6]
+    # an arm (a, b) of a point turns it by yaw into (-b, a), and pulls it in by -(a, b) times the rate squared
+    inward = s.axis[:, 1] * (s.points[0][:, 5::6] @ centripetal) - s.axis[:, 0] * (s.points[1][:, 5::6] @ centripetal)
     kinds = np.stack(
         (
-            s.rows @ placed(found, s),
-            np.where(s.inertial, s.rows @ inertial, s.rows @ velocity),
-            np.where(s.inertial, s.rows @ acceleration, s.rows @ changing.ravel()),
+            np.where(grounded, point_displacement(found, s), s.rows @ at.displaced + whole_turn(heading, s)),
+            np.where(s.inertial, point_velocity(at, heading, grounded, s), s.rows @ velocity),
+            np.where(s.inertial, s.rows @ acceleration + inward, s.rows @ changing.ravel()),
         )
     )
     result = kinds[s.quantity, np.arange(len(s.quantity))] + s.feedthrough @ u
     slipping = s.slipping >= 0
     forward = (s.weights @ at.local[0::6])[s.slipping[slipping]]
-    result[slipping] = np.arctan(result[slipping] * s.trim_speed / forward)
+    result[slipping] = np.arctan(result[slipping] * s.trim_speed / slip_speed(forward))
     return result
+
+
+def whole_turn(heading: Any, s: Signals) -> Any:
+    """What the heading of the whole adds to measured rotations, (k,)."""
+    return heading * np.sum(s.rows[:, 5::6], axis=1) * (1.0 - (s.whole != 0.0))
+
+
+def point_displacement(found: Evaluation, s: Signals) -> Any:
+    """Displacements of measured points from the drawing, along their directions, (k,)."""
+    x, y, yaw = found.state.frame
+    dx, dy, dz = (rows @ found.motion.displaced for rows in s.points)
+    X, Y = s.point_at[:, 0] + dx, s.point_at[:, 1] + dy
+    cos, sin = np.cos(yaw), np.sin(yaw)
+    along = (
+        s.whole * x + cos * X - sin * Y - s.point_at[:, 0],
+        s.whole * y + sin * X + cos * Y - s.point_at[:, 1],
+        dz,
+    )
+    return s.axis[:, 0] * along[0] + s.axis[:, 1] * along[1] + s.axis[:, 2] * along[2]
+
+
+def point_velocity(at: Motion, heading: Any, grounded: Any, s: Signals) -> Any:
+    """Velocities of measured points along their directions in inertial axes, (k,); other motions as they are."""
+    v_x, v_y, v_z = (rows @ at.w for rows in s.points)
+    cos, sin = np.cos(heading), np.sin(heading)
+    along = s.axis[:, 0] * (cos * v_x - sin * v_y) + s.axis[:, 1] * (sin * v_x + cos * v_y) + s.axis[:, 2] * v_z
+    return np.where(grounded, along, s.rows @ at.w)
 
 
 def transfer(load: Any, belonging: Any, side: Any) -> Any:
     """Load transfer ratio of axles or units: left less right load over both, 0 without load."""
-    both = belonging @ load
+    both = (belonging * np.abs(side)) @ load
     some = both != 0.0
     return np.where(some, (belonging @ (side * load)) / np.where(some, both, 1.0), 0.0)
 

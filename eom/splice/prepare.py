@@ -5,13 +5,14 @@ from typing import NamedTuple
 import numpy as np
 
 from eom.assembly.algebra import DENSE
-from eom.assembly.matrices import Matrices
+from eom.assembly.matrices import Matrices, assemble_matrices
 from eom.assembly.pivots import choose_coordinates
 from eom.assembly.reduction import Pivots
 from eom.assembly.rows import rows
 from eom.assembly.vectors import Array
+from eom.splice.checks import check_balance, check_free, check_motions, check_supports
 from eom.splice.contact import Contact, contacts, spliced
-from eom.splice.multibody import LEAD, Multibody, multibody
+from eom.splice.multibody import Multibody, multibody
 from eom.splice.state import Control, Model
 from eom.splice.trim import Trim, solve_trim
 from eom.vehicle.elements import GROUND, Connection, System
@@ -39,14 +40,6 @@ class Prepared(NamedTuple):
     matrices: Matrices
 
 
-class SpliceError(ValueError):
-    """A vehicle that has no such model; ``owner`` is the object to blame."""
-
-    def __init__(self, owner: str, what: str) -> None:
-        self.owner = owner
-        super().__init__(what)
-
-
 def prepare(system: System, speed: float) -> Prepared:
     """The model of a system at a trim speed [m/s].
 
@@ -62,41 +55,21 @@ def prepare_with(system: System, speed: float, pivots: Pivots) -> Prepared:
     held = any(item.moving for item in system.constraints)
     rest = spliced(system)
     check_free(rest, speed)
+    at_rest = assemble_matrices(rest, pivots)
+    check_motions(rest, at_rest)
+    check_supports(rest, pivots, at_rest)
     trim, laws, matrices = solve_trim(rest, pivots, speed, held=held)
-    check_motions(rest, matrices)
-    body = multibody(rest, pivots, matrices, held=held)
+    check_balance(rest, matrices)
+    body = multibody(rest, pivots, matrices, speed, held=held)
     wheels = contacts(rest, pivots, trim.load, matrices.statics.reactions)
     inputs = control(rest, wheels)
-    others = np.zeros((len(body.M), len(inputs.demand) - body.B.shape[1]))
-    body = body._replace(B=np.hstack((others, body.B)))
+    wheeled = len(inputs.demand) - body.B.shape[1]
+    body = body._replace(
+        B=np.hstack((np.zeros((len(body.M), wheeled)), body.B)),
+        steering=np.concatenate((np.zeros(wheeled, dtype=np.intp), body.steering)),
+    )
     model = Model(body, wheels, inputs, laws, load_gain(body, wheels))
     return Prepared(model, trim, rest, pivots, matrices)
-
-
-def check_free(system: System, speed: float) -> None:
-    """Raise `SpliceError` for what these equations do not know."""
-    if not system.wheels:
-        raise SpliceError("", "has no axles with tyres: its model is linear")
-    if not speed > 0.0:
-        raise SpliceError("trim", "needs a moving trim: tyres are spliced in at a forward speed")
-    if system.rolling:
-        raise SpliceError(system.rolling[0].name, "rolls without slip: axles with tyres cannot stand beside it")
-    for body in system.bodies:
-        if any(body.spin):
-            raise SpliceError(body.name, "spins: give its axle 'spin_inertia' instead of a wheel as a body")
-    for item in system.inputs:
-        if any(item.rate_gain):
-            raise SpliceError(item.name, "acts through its rate, which these equations do not take")
-
-
-def check_motions(system: System, matrices: Matrices) -> None:
-    """Raise `SpliceError` where the lead body cannot move freely on the plane, or a motion has no mass."""
-    lead = system.bodies[0].name
-    if not set(LEAD) <= set(matrices.reduction.independent.tolist()):
-        raise SpliceError(lead, "is not free along x, along y and in yaw, as the lead body of a vehicle on a plane is")
-    mass = matrices.reduction.W.T @ matrices.M @ matrices.reduction.W
-    if not np.linalg.eigvalsh(mass)[0] > 1e-12 * np.max(np.diag(mass)):
-        raise SpliceError(lead, "moves with a body without mass, which these equations do not take")
 
 
 def control(system: System, wheels: Contact) -> Control:

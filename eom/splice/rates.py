@@ -7,9 +7,7 @@ import numpy as np
 from eom.splice.balance import balance
 from eom.splice.motion import motion
 from eom.splice.state import Evaluation, Model, split_state
-from eom.splice.wheels import LOW_SPEED, rolling
-from eom.tyre.contact import kept_above
-from eom.tyre.elementary import magnitude
+from eom.splice.wheels import rolling, slip_speed
 
 
 def evaluate(x: Any, u: Any, p: Model) -> Evaluation:
@@ -29,7 +27,7 @@ def rates(x: Any, u: Any, p: Model) -> Any:
     v_x, v_y, yaw_rate = state.n[p.body.lead[0]], state.n[p.body.lead[1]], state.n[p.body.lead[2]]
     frame = np.array([np.cos(yaw) * v_x - np.sin(yaw) * v_y, np.sin(yaw) * v_x + np.cos(yaw) * v_y, yaw_rate])
     spin = control.spin @ (found.torque + found.forces[3] - c.radius * found.forces[0])
-    reach = kept_above(magnitude(slip.forward[c.relaxing]), LOW_SPEED) / c.relaxation
+    reach = slip_speed(slip.forward[c.relaxing]) / c.relaxation
     side = reach * (slip.side[c.relaxing] - state.side)
     # without a lag there is no state, and nothing that would be divided
     drive = (control.demand @ u - state.drive) / control.drive_lag

@@ -4,15 +4,16 @@ import numpy as np
 
 from eom.assembly.matrices import DISPLACEMENTS, VELOCITIES
 from eom.assembly.reduction import Pivots
-from eom.assembly.rows import force_directions, row_count
+from eom.assembly.rows import force_directions, row_count, rows
 from eom.assembly.state_space import output_row
 from eom.assembly.vectors import Array, array
 from eom.splice.multibody import LEAD, frame_motion
 from eom.splice.outputs import ACCELERATION, POSITION, VELOCITY, Signals
 from eom.splice.prepare import Prepared
 from eom.splice.state import Model, sizes
-from eom.vehicle.elements import System, Unit
+from eom.vehicle.elements import GROUND, System, Unit
 
+SIDES = {"left": 1.0, "right": -1.0}
 QUANTITIES = {"position": POSITION, "velocity": VELOCITY, "acceleration": ACCELERATION}
 OF_UNITS = (("ax", "m/s^2"), ("speed", "m/s"), ("x", "m"), ("y", "m"), ("yaw", "rad"))
 OF_WHEELS = (("alpha", "rad"), ("kappa", ""), ("Fx", "N"), ("Fy", "N"), ("Fz", "N"), ("Mz", "N*m"))
@@ -50,6 +51,7 @@ def signals(system: System, pivots: Pivots, inputs: list[str], speed: float) -> 
     for k, item in enumerate(system.outputs):
         for name, gain in item.feedthrough:
             feedthrough[k, inputs.index(name)] = gain
+    points, point_at, axis, whole = measured_points(system)
     slips = {f"{unit.name}.sideslip": k for k, unit in enumerate(units)}
     names = list(dict.fromkeys(wheel.axle for wheel in system.wheels))
     return Signals(
@@ -57,6 +59,10 @@ def signals(system: System, pivots: Pivots, inputs: list[str], speed: float) -> 
         quantity=np.array([QUANTITIES[item.quantity] for item in system.outputs], dtype=np.intp),
         inertial=np.array([item.frame == "inertial" for item in system.outputs], dtype=bool),
         feedthrough=feedthrough,
+        points=points,
+        point_at=point_at,
+        axis=axis,
+        whole=whole,
         trim_speed=speed,
         slipping=np.array([slips.get(item.name, -1) for item in system.outputs], dtype=np.intp),
         centres=centres[:, :2] - centres[0, :2],
@@ -67,15 +73,33 @@ def signals(system: System, pivots: Pivots, inputs: list[str], speed: float) -> 
         centre=(weights @ centres - centres[leads])[:, :2],
         axles=np.array([[float(wheel.axle == name) for wheel in system.wheels] for name in names]),
         units=np.array([[float(wheel.body in unit.bodies) for wheel in system.wheels] for unit in units]),
-        side=np.array([np.sign(wheel.place[1]) if wheel.name != wheel.axle else 0.0 for wheel in system.wheels]),
+        side=np.array([SIDES.get(wheel.name.rsplit(".", maxsplit=1)[-1], 0.0) for wheel in system.wheels]),
         carried=coupling_forces(system, pivots, units),
     )
+
+
+def measured_points(system: System) -> tuple[Array, Array, Array, Array]:
+    """Points whose translation against the ground is measured along one direction; see `Signals`."""
+    count, N = len(system.outputs), 6 * len(system.bodies)
+    points, at, axis, whole = np.zeros((3, count, N)), np.zeros((count, 2)), np.zeros((count, 3)), np.zeros(count)
+    for k, item in enumerate(system.outputs):
+        first = item.terms[0][1]
+        if first.forces != 1 or any(term.bodies[1] != GROUND for _, term in item.terms):
+            continue
+        axis[k] = force_directions(first)[0]
+        for weight, term in item.terms:
+            points[:, k] += weight * rows(system.bodies, term._replace(forces=3))
+            at[k] += weight * np.subtract(term.places[0], system.bodies[0].centre)[:2]
+            whole[k] += weight
+    return points, at, axis, whole
 
 
 def coupling_offsets(system: System, units: tuple[Unit, ...], centres: Array) -> tuple[Array, Array]:
     """Planar ways from the lead body ahead to the coupling and from there to the own lead body, (units, 2) each."""
     places = {item.connection.name: array(item.connection.places[0]) for item in system.constraints}
     ahead, own = np.zeros((2, len(units), 2))
+    # the frame is that of the first body, which may belong to no unit
+    ahead[0] = (centres[units[0].bodies[0]] - centres[0])[:2]
     for k, unit in enumerate(units):
         if k:
             place = places[unit.coupling]

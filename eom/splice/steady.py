@@ -11,6 +11,8 @@ from eom.splice.trim import STEP, TrimError
 
 RUN_PASSES = 30
 RUN_SETTLED = 1e-12
+RUN_BALANCED = 1e-9
+"""Rates, over gravity and the speed, that are rounding of light, stiffly rolling wheels."""
 
 
 def steady(p: Model, speed: float, slip: Array, torque: float) -> tuple[Array, Array]:
@@ -50,7 +52,7 @@ def steady(p: Model, speed: float, slip: Array, torque: float) -> tuple[Array, A
         z = z - scale * step
         if not np.all(np.isfinite(z)):
             break
-        if np.max(np.abs(step)) <= RUN_SETTLED:
+        if np.max(np.abs(step)) <= RUN_SETTLED and np.max(np.abs(left)) <= RUN_BALANCED:
             # rates of light, stiffly rolling wheels keep the rounding of their spins
             return placed(z)
     message = f"no straight run at {speed:.6g} m/s holds: a resistance is not balanced, or asks too much of a tyre"

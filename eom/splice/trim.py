@@ -10,6 +10,7 @@ from eom.assembly.reduction import Pivots
 from eom.assembly.vectors import Array
 from eom.splice.contact import contacts, spring_loads
 from eom.splice.laws import UNLOADED, LawGroup, forces, law_groups
+from eom.splice.wheels import slip_speed
 from eom.vehicle.elements import Load, System, Wheel
 
 PASSES, SETTLED = 50, 1e-14
@@ -70,7 +71,7 @@ def solve_trim(
         if groups is None:
             laws = law_groups(wheels, system.tyres, loads)
         slip, found, torque = steady_rolling(system, laws or (), loads, now.slip, speed, held=held)
-        now = Trim(speed, loads, slip, (1.0 + slip) * speed / radius, found, torque)
+        now = Trim(speed, loads, slip, (speed + slip * float(slip_speed(speed))) / radius, found, torque)
     else:
         raise TrimError(wheels[0].name, "loads and resistance of the straight run do not settle")
     return now, laws or (), matrices
@@ -80,7 +81,7 @@ def trim_loads(system: System, pivots: Pivots, matrices: Matrices) -> Array:
     """Normal loads [N] by statics, `UNLOADED` where nothing tells."""
     own = contacts(system, pivots, np.zeros(len(system.wheels)), matrices.statics.reactions)
     loads = own.share @ own.carried + spring_loads(system, matrices, system.wheels)
-    told = [bool(wheel.support or wheel.spring) for wheel in system.wheels]
+    told = [bool(wheel.support or (wheel.spring and not wheel.roll_rate)) for wheel in system.wheels]
     return np.where(told, loads, UNLOADED)
 
 
@@ -167,10 +168,10 @@ def wheel_forces(system: System, trim: Trim) -> list[Load]:
     """What wheels do to the bodies at the trim."""
     loads: list[Load] = []
     zero = (0.0, 0.0, 0.0)
-    for wheel, (Fx, Fy, Mx, _, Mz) in zip(system.wheels, trim.forces.T, strict=True):
+    for wheel, (Fx, Fy, Mx, My, Mz) in zip(system.wheels, trim.forces.T, strict=True):
         spins = wheel.spin_inertia > 0.0
         place = (wheel.place[0], wheel.place[1], wheel.place[2] + wheel.radius * spins)
-        back = -wheel.drive_share * trim.torque * spins
+        back = -wheel.drive_share * trim.torque if spins else float(My)
         name = f"{wheel.name}.road"
         loads.append(Load(name, wheel.body, place, (float(Fx), 0.0, 0.0), (float(Mx), back, float(Mz)), wheel.body))
         loads.append(Load(name, wheel.body, wheel.place, (0.0, float(Fy), 0.0), zero, wheel.body))

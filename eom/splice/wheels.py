@@ -16,6 +16,11 @@ CREEP = 0.1
 """Speed of the tread [m/s] below which a brake's torque fades: dry friction made smooth."""
 
 
+def slip_speed(v_x: Any) -> Any:
+    """Speed [m/s] over which slips are formed: that of the wheel, bent below `LOW_SPEED` so that it does not vanish."""
+    return kept_above(magnitude(v_x), LOW_SPEED)
+
+
 def rolling(state: State, u: Any, at: Motion, p: Model) -> Rolling:
     """Slips of all wheels."""
     c = p.contact
@@ -23,7 +28,7 @@ def rolling(state: State, u: Any, at: Motion, p: Model) -> Rolling:
     steer = p.control.steer @ u
     cos, sin = np.cos(steer), np.sin(steer)
     forward, sideward = cos * v_x + sin * v_y, cos * v_y - sin * v_x
-    speed = kept_above(magnitude(forward), LOW_SPEED)
+    speed = slip_speed(forward)
     side = arctan(sideward / speed)
     omega, alpha = forward / c.radius, side + 0.0
     omega[c.spinning] = state.spin
@@ -71,7 +76,8 @@ def on_bodies(found: Any, slip: Rolling, load: Any, torque: Any, p: Model) -> An
     c = p.contact
     cos, sin = np.cos(slip.steer), np.sin(slip.steer)
     Fx, Fy, Mx, Mz = found[0], found[1], found[2], found[4]
-    back = np.zeros_like(Fx)
+    # a spin that is no state passes on all torques but that of rolling resistance, which the road takes with the force
+    back = -found[3]
     back[c.spinning] = torque[c.spinning]
     # what presses beyond the springs that are part of the multibody's stiffness comes from `lifted`
     return np.stack(
