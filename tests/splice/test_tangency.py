@@ -43,6 +43,14 @@ def test_slopes_at_the_trim_are_the_closed_linear_model(name: str, speed: int) -
         same_slopes(model(name), speed / 3.6, closed)
 
 
+@pytest.mark.parametrize("speed", [1, 2, 3])
+@pytest.mark.parametrize("name", [name for name in SIMPLE + RICH if name != "car"])
+def test_slopes_are_the_closed_linear_model_where_slips_are_bent(name: str, speed: int) -> None:
+    """Below 3.6 km/h. Rolling resistance fades there, so that another trim's tyres are fitted at other loads."""
+    own = build_tyre_model(vehicle(name, U=f"{speed} km/h"))
+    same_slopes(own, speed / 3.6, close(own.prepared))
+
+
 @pytest.mark.parametrize("name", SIMPLE + RICH)
 def test_a_straight_run_at_another_speed_moves_springs_only_under_drag(name: str) -> None:
     """Rates that vanish to 1e-12 of gravity leave displacements of that size times m/k; drag of a car moves it 1e-4."""
