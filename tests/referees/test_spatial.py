@@ -20,7 +20,7 @@ from tests.referees.elimination import Spatial
 from tests.referees.jets import reciprocal, rotation, sqrt, variables
 from tests.referees.small_vehicles import CAR, CRANE, HALF_CAR, RELAXATION, TRIANGLE, TRUCK_TRAILER
 from tests.referees.spatial import linearise
-from tests.vehicles.shipped import NAMES, vehicle
+from tests.vehicles.shipped import LINEAR, vehicle
 
 RELATIVE = 1e-9
 POINTS = (1.0 + 2.0j, 4.0 - 7.0j, 10.0 + 20.0j)
@@ -150,7 +150,7 @@ def assert_same_without_mass(model: eom.LinearModel, referee: Spatial) -> None:
 
 
 # beams and membranes are no law of finite motion
-FINITE = [name for name in NAMES if not (vehicle(name).system.beams or vehicle(name).system.triangles)]
+FINITE = [name for name in LINEAR if not (vehicle(name).system.beams or vehicle(name).system.triangles)]
 
 
 @pytest.mark.parametrize("name", FINITE)
