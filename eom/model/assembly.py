@@ -17,7 +17,7 @@ from eom.assembly.reduction import Pivots, Reduction
 from eom.assembly.rows import row_count
 from eom.assembly.statics import unbalanced
 from eom.assembly.vectors import Array
-from eom.errors import DescriptionError, EquilibriumError, SingularError, TyreError
+from eom.errors import DescriptionError, EquilibriumError, SingularError
 from eom.vehicle.elements import Connection, System, wheels_alone
 from eom.vehicle.load import Vehicle
 
@@ -264,6 +264,7 @@ def prepared_for(vehicle: Vehicle) -> "Prepared":
         If a motion has no mass, or joints repeat each other.
     """
     from eom.splice.checks import SpliceError  # noqa: PLC0415  tyres take a while to import
+    from eom.splice.laws import LawError  # noqa: PLC0415
     from eom.splice.prepare import prepare  # noqa: PLC0415
     from eom.splice.trim import TrimError  # noqa: PLC0415
 
@@ -273,8 +274,8 @@ def prepared_for(vehicle: Vehicle) -> "Prepared":
         raise DescriptionError([vehicle.mistake(owner, what) for owner, what in error.findings]) from None
     except TrimError as error:
         raise EquilibriumError(str(vehicle.mistake(error.owner, str(error)))) from None
-    except TyreError as error:
-        raise DescriptionError([vehicle.mistake("tyres", str(error))]) from None
+    except LawError as error:
+        raise DescriptionError([vehicle.mistake(error.owner, what) for what in str(error).splitlines()]) from None
     except ValueError as error:
         raise SingularError(f"{vehicle.file}: {nearly_redundant(vehicle) or error}") from None
 

@@ -14,6 +14,9 @@ from eom.report.table import table
 
 STABLE = {-1: "yes", 0: "neutral", 1: "no"}
 
+MEETINGS = 3
+"""How many meetings of roots a reader wants to see; wheels of a kind have roots that meet everywhere."""
+
 
 def locus_table(locus: RootLocus) -> str:
     """Per value of the parameter: stability, and the root with the largest real part."""
@@ -55,8 +58,11 @@ def critical_table(locus: RootLocus, found: Sequence[CriticalValue]) -> str:
     else:
         text = f"no critical value of {locus.parameter} {between}"
     notes = [
-        f"roots meet between {a:.6g} and {b:.6g}: which branch is which beyond is a guess" for a, b in locus.unclear
+        f"roots meet between {a:.6g} and {b:.6g}: which branch is which beyond is a guess"
+        for a, b in locus.unclear[:MEETINGS]
     ]
+    if len(locus.unclear) > MEETINGS:
+        notes.append(f"{len(locus.unclear) - MEETINGS} more such meetings")
     notes += [
         f"between {a:g} and {b:g} the number of unstable roots changes otherwise than these say: take smaller steps"
         for a, b in unexplained(locus, found)

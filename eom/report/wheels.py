@@ -1,5 +1,6 @@
 """What ``eom check`` prints of a vehicle with wheels: their loads, slips and forces at the trim."""
 
+import textwrap
 from collections.abc import Iterator
 
 import numpy as np
@@ -9,8 +10,11 @@ from eom.splice.closure import slopes_at_trim
 from eom.splice.prepare import Prepared, input_names
 from eom.splice.signals import output_names, spliced_states
 from eom.splice.trim import loads_at_rest
+from eom.vehicle.elements import Wheel
 
 ALPHA, KAPPA, FX, FY = 0, 1, 0, 1
+ASTRAY = 1e-3
+"""Distance [m] of a support from the middle of its axles that nobody means."""
 
 
 def wheel_tables(prepared: Prepared) -> Iterator[str]:
@@ -41,11 +45,45 @@ def wheel_tables(prepared: Prepared) -> Iterator[str]:
             for k, number in ((k, system.wheels[k].number) for k in shown)
         ),
     )
-    if any(wheel.drive_share for wheel in system.wheels):
+    if any(wheel.drive_share for wheel in system.wheels) and not prepared.model.body.held:
         yield f"drive torque that holds the speed: {trim.torque + 0.0:.1f} N m"
+    notes = "\n".join(remarks(prepared))
+    if notes:
+        yield notes
     different = uneven(prepared)
     if different:
         yield f"fitted at the mean load of the wheels that have it, which differ: tyre {', '.join(different)}"
+
+
+def remarks(prepared: Prepared) -> Iterator[str]:
+    """What a reader of the loads should know of them."""
+    system = prepared.system
+    no_transfer = dict.fromkeys(wheel.axle for wheel in system.wheels if wheel.support and not wheel.roll_rate)
+    if no_transfer:
+        text = f"no load goes from left to right, without track and roll stiffness: {', '.join(no_transfer)}"
+        yield textwrap.fill(text, 100)
+    places = {item.connection.name: item.connection.places[0][0] for item in system.constraints}
+    for support in dict.fromkeys(wheel.support for wheel in system.wheels if wheel.support):
+        axles = [wheel.place[0] for wheel in system.wheels if wheel.support == support]
+        ahead = places[support] - float(np.mean(axles))
+        if abs(ahead) > ASTRAY:
+            where = "ahead of" if ahead > 0.0 else "behind"
+            yield f"{support} stands {abs(ahead):.3g} m {where} the middle of its axles, which share its load equally"
+    for wheel, load in zip(system.wheels, prepared.trim.load, strict=True):
+        law = system.tyres[wheel.tyre]
+        if law.kind == "tir":
+            least, most = load_range(prepared, wheel)
+            if not least <= load <= most:
+                yield f"{wheel.name} carries {load:.0f} N, but {law.name} is measured from {least:g} to {most:g} N"
+
+
+def load_range(prepared: Prepared, wheel: Wheel) -> tuple[float, float]:
+    """Least and greatest load [N] for which a tyre of a file is measured."""
+    at = prepared.system.wheels.index(wheel)
+    for group in prepared.model.laws:
+        if at in group.wheels:
+            return float(np.min(group.tyre.FZMIN)), float(np.max(group.tyre.FZMAX))
+    return 0.0, np.inf
 
 
 def signals_of(prepared: Prepared) -> tuple[list[str], int, int]:

@@ -156,7 +156,8 @@ def close(prepared: Prepared) -> Closed:
     states = len(rates_)
     A, B = np.split(moved @ rates_, [states], axis=1)
     # place and heading change nothing but that a heading leads aside
-    A[:, :3] = 0.0
+    for exact in (A, w, dw, load):
+        exact[:, :3] = 0.0
     A[1, 2] = U
     return Closed(A, B, p, w, dw, load)
 

@@ -41,6 +41,8 @@ class Contact(NamedTuple):
         Loads by p (of rolling tyres), by p and by dp/dt of their own springs, (w, N).
     spinning : NDArray
         Numbers of the wheels whose spin is a state.
+    passing : NDArray
+        Numbers of the wheels whose spin is none, and which have a radius.
     relaxing : NDArray
         Numbers of the wheels whose side force lags, by ``relaxation`` [m].
     supports : NDArray
@@ -62,6 +64,7 @@ class Contact(NamedTuple):
     sprung: Array
     damped: Array
     spinning: NDArray[np.intp]
+    passing: NDArray[np.intp]
     relaxing: NDArray[np.intp]
     relaxation: Array
     supports: NDArray[np.intp]
@@ -120,6 +123,7 @@ def contacts(system: System, pivots: Pivots, loads: Array, reactions: Array) -> 
         sprung=spring_rows[0],
         damped=spring_rows[1],
         spinning=np.flatnonzero([wheel.spin_inertia > 0.0 for wheel in wheels]),
+        passing=np.flatnonzero([wheel.spin_inertia == 0.0 and wheel.radius > 0.0 for wheel in wheels]),
         relaxing=np.flatnonzero([law.relaxation > 0.0 for law in laws]),
         relaxation=np.array([law.relaxation for law in laws if law.relaxation > 0.0]),
         supports=supports,

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from eom.assembly.vectors import Array
+from eom.errors import TyreError
 from eom.splice.kinds import KINDS
 from eom.tyre.interface import Tyre
 from eom.tyre.stack import stack
@@ -23,6 +24,14 @@ class LawGroup(NamedTuple):
     tyre: Any
 
 
+class LawError(ValueError):
+    """Coefficients that a tyre cannot have; ``owner`` is its law."""
+
+    def __init__(self, owner: str, what: str) -> None:
+        self.owner = owner
+        super().__init__(what)
+
+
 def law_groups(wheels: Sequence[Wheel], laws: Sequence[TyreLaw], loads: Array) -> tuple[LawGroup, ...]:
     """The tyres of all wheels; each law is fitted at the mean of the loads [N] of the wheels that have it.
 
@@ -31,7 +40,10 @@ def law_groups(wheels: Sequence[Wheel], laws: Sequence[TyreLaw], loads: Array) -
     tyres: list[Tyre] = []
     for wheel in wheels:
         same = [load / other.number for load, other in zip(loads, wheels, strict=True) if other.tyre == wheel.tyre]
-        tyre = KINDS[laws[wheel.tyre].kind](laws[wheel.tyre], float(np.mean(same)), wheel.radius)
+        try:
+            tyre = KINDS[laws[wheel.tyre].kind](laws[wheel.tyre], float(np.mean(same)), wheel.radius)
+        except TyreError as error:
+            raise LawError(laws[wheel.tyre].name, str(error)) from None
         if hasattr(tyre, "on") and wheel.name.endswith((".left", ".right")):
             tyre = tyre.on(wheel.name.rsplit(".", maxsplit=1)[1])
         tyres.append(tyre)

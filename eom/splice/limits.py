@@ -51,6 +51,11 @@ def limits(system: System) -> tuple[Limit, ...]:
         for wheel in system.wheels
         if wheel.spin_inertia > 0.0
     ]
+    found += [
+        Limit("traction", wheel.name, "its torque asks for more along the road than its load: without a spin it slides")
+        for wheel in system.wheels
+        if wheel.spin_inertia == 0.0 and wheel.radius > 0.0
+    ]
     if any(wheel.name != wheel.axle for wheel in system.wheels):
         found += [
             Limit(
@@ -80,6 +85,7 @@ def all_margins(evaluation: Evaluation, p: Model, s: Signals) -> Any:
         SMALL_ROLL - np.abs(at.displaced[3::6]),
         free,
         tread,
+        (found.load - np.abs(found.forces[0]))[c.passing],
     ]
     if np.any(s.side):
         parts.append(standing(free, s))

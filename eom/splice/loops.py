@@ -195,7 +195,7 @@ def torques_of(x: Any, u: Any, omega: Any, p: Flat) -> Any:
     pressed = product(control.brake, u, len(omega))
     for k in range(len(omega)):
         brake = x[at + k] if control.brake_lag > 0.0 else pressed[k]
-        result[k] -= brake * sense(omega[k] * radius[k], CREEP)
+        result[k] -= max(brake, 0.0) * sense(omega[k] * radius[k], CREEP)
     return result
 
 

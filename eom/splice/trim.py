@@ -86,7 +86,8 @@ def trim_loads(system: System, pivots: Pivots, matrices: Matrices) -> Array:
 
 
 def loads_at_rest(system: System, pivots: Pivots) -> Array:
-    """Normal loads [N] of a vehicle without its wheels' linear forces that stands still."""
+    """Normal loads [N] of a vehicle without its wheels' linear forces that stands still on the level."""
+    system = system._replace(loads=tuple(load for load in system.loads if load.frame != load.body))
     return trim_loads(system, pivots, assemble_matrices(system, pivots))
 
 
@@ -94,7 +95,10 @@ def check_loads(wheels: Sequence[Wheel], loads: Array) -> None:
     """Raise `TrimError` for a wheel that nothing presses on the road."""
     for wheel, load in zip(wheels, loads, strict=True):
         if not load > 0.0:
-            what = f"its normal load at the trim is {load:.6g} N: a wheel stands on the road by more than nothing"
+            what = (
+                f"its normal load at the trim is {load:.6g} N, where a wheel has to press on the road: look at "
+                "gravity, masses and the places of supports"
+            )
             raise TrimError(wheel.axle, what)
 
 

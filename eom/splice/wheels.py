@@ -51,10 +51,10 @@ def wheel_loads(at: Motion, supports: Any, p: Model) -> Any:
 
 
 def torques(state: State, u: Any, slip: Rolling, p: Model) -> Any:
-    """Torque of drive and brakes on each wheel [N m]; a brake resists rotation whichever way it goes."""
+    """Torque of drive and brakes on each wheel [N m]; a brake resists rotation either way, and pulls at none."""
     control = p.control
     drive = state.drive[0] if control.drive_lag > 0.0 else control.demand @ u
-    brake = state.brake if control.brake_lag > 0.0 else control.brake @ u
+    brake = maximum(state.brake if control.brake_lag > 0.0 else control.brake @ u, 0.0)
     return control.drive * drive - brake * rolling_sense(slip.omega * p.contact.radius, CREEP)
 
 

@@ -24,6 +24,7 @@ def draft_axle_group(draft: Draft, unit_draft: UnitDraft, key: str, unit: Unit, 
         draft_support(draft, name, body, add(unit_draft.origin, place), ("z",))
     if group.roll_stiffness is not None:
         stiffness = registry.number(group.roll_stiffness, f"{name}.roll_stiffness", (*path, "roll_stiffness"), scope)
+        registry.not_negative(stiffness, (*path, "roll_stiffness"), zero=True)
         centre = draft.bodies[body].centre if body != GROUND else ORIGIN
         connection = draft.connection(f"{name}.tyres", (body, GROUND), centre, moments=1, moment_axis=X)
         draft.elastic.append(Elastic(connection, (ZERO, stiffness), (ZERO, ZERO)))

@@ -50,7 +50,8 @@ class Vehicle:
 
     def mistake(self, obj: str, what: str) -> Mistake:
         """A mistake that points at a named object of the file, or at what it belongs to (``joint.row``)."""
-        path = self.draft.names.get(obj) or self.draft.names.get(obj.split(".", maxsplit=1)[0], ())
+        own = obj.split(".", maxsplit=1)[0]
+        path = self.draft.names.get(obj) or self.draft.names.get(own, ("trim",) if own == "trim" else ())
         return self.source.mistake(path, what)
 
     @property

@@ -138,6 +138,13 @@ class FileTyre(Tyre):
 
     cornering: CorneringStiffness | None = None  # type: ignore[assignment]
 
+    @model_validator(mode="after")
+    def _no_second_resistance(self) -> Self:
+        if self.rolling_resistance is not None:
+            message = "has 'rolling_resistance' besides its file, which says it: change it there"
+            raise ValueError(message)
+        return self
+
 
 def tells_tyre(value: object) -> str:
     """Whether a tyre is one of a file, or one whose stiffnesses the vehicle file gives."""
