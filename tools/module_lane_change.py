@@ -5,7 +5,7 @@ Usage: python tools/module_lane_change.py build/b_train.py picture.png
 One cycle of 0.4 Hz and 3.58 deg at the front axle, at the speed of the file.
 """
 
-import importlib.util
+import importlib
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -25,13 +25,8 @@ STEP = 0.02
 
 def load_module(path: Path) -> ModuleType:
     """The generated module at *path*."""
-    spec = importlib.util.spec_from_file_location(path.stem, path)
-    if spec is None or spec.loader is None:
-        message = f"{path} is no Python module"
-        raise SystemExit(message)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+    sys.path.insert(0, str(path.resolve().parent))
+    return importlib.import_module(path.stem)
 
 
 def steer(t: float) -> float:
