@@ -15,8 +15,9 @@ demo: .venv/installed
 	@echo
 	$(BIN)/python tools/module_lane_change.py build/b_train.py build/b_train.png
 
+# on all cores, a file's tests on one of them: they share what they build
 test: lint docs
-	$(BIN)/python -m pytest
+	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest -n auto --dist loadfile
 
 lint: .venv/developing
 	$(BIN)/ruff check .
