@@ -4,6 +4,7 @@ from typing import Any
 
 import numpy as np
 
+from eom.splice.contact import ROLL
 from eom.splice.motion import body_velocity, generalised, headed
 from eom.splice.state import Balance, Model, Motion, Rolling, State
 from eom.splice.wheels import lifted, on_bodies, road_forces, torques, wheel_loads
@@ -62,14 +63,6 @@ def reactions(state: State, lacking: Any, p: Model) -> Any:
     return straight + (state.q @ body.react_turn).reshape(len(straight), len(straight)) @ straight
 
 
-def pushed(slip: Rolling, load: Any, torque: Any, at: Motion, p: Model) -> tuple[Any, Any]:
-    """Forces of the road on the wheels at given loads, in wheel axes (5, w), and on their bodies (6, w)."""
-    found = road_forces(slip, load, torque, p)
-    on_body = on_bodies(found, slip, load, torque, p)
-    on_body[5] = lifted(at, load, p)
-    return found, on_body
-
-
 def support_loads(state: State, passive: Any, torque: Any, at: Motion, slip: Rolling, p: Model) -> Any:
     """Loads of the supports [N], by one step of Newton from those at the trim.
 
@@ -80,19 +73,20 @@ def support_loads(state: State, passive: Any, torque: Any, at: Motion, slip: Rol
     c = p.contact
     at_trim = c.carried
     load = wheel_loads(at, at_trim, p)
-    _, on_body = pushed(slip, load, torque, at, p)
+    pushed = on_bodies(road_forces(slip, load, torque, p), slip, torque, p)
     step = LOAD_STEP * c.nominal
-    _, with_more = pushed(slip, load + step, torque, at, p)
-    slope = (with_more - on_body) / step
-    slope[5] = 0.0
+    slope = (on_bodies(road_forces(slip, load + step, torque, p), slip, torque, p) - pushed) / step
+    on_body = pushed + lifted(at, load, at_trim, p)
     _, _, lacking = accelerations(at, passive + generalised(on_body, at, p), p)
     off = reactions(state, lacking, p)[c.supports] - at_trim
     # a wheel follows its share, with its partner lifted the whole axle's, and lifted nothing
     limit = (maximum(c.most @ at_trim, 0.0) + c.alone)[:, np.newaxis]
     loaded, shared = (load > 0.0)[:, np.newaxis], load[:, np.newaxis] < limit
     following = np.where(loaded, np.where(shared, c.share, c.most), 0.0)
+    by_load = slope[:, :, np.newaxis] * following
+    by_load[ROLL] += c.lever[:, np.newaxis] * (following - c.share)
     rows = c.rows.reshape(-1, c.rows.shape[2])
-    gain = p.load_gain @ (rows.T @ (slope[:, :, np.newaxis] * following).reshape(-1, len(at_trim)))
+    gain = p.load_gain @ (rows.T @ by_load.reshape(-1, len(at_trim)))
     return at_trim + np.linalg.solve(np.eye(len(at_trim)) - gain, off)
 
 
@@ -104,6 +98,7 @@ def balance(state: State, u: Any, at: Motion, slip: Rolling, p: Model) -> Balanc
     if len(assumed):
         assumed = support_loads(state, passive, torque, at, slip, p)
     load = wheel_loads(at, assumed, p)
-    found, on_body = pushed(slip, load, torque, at, p)
+    found = road_forces(slip, load, torque, p)
+    on_body = on_bodies(found, slip, torque, p) + lifted(at, load, assumed, p)
     dn, dw, lacking = accelerations(at, passive + generalised(on_body, at, p), p)
     return Balance(dn, dw, reactions(state, lacking, p), on_body, found, load, torque, assumed)

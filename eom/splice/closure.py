@@ -29,8 +29,6 @@ class Closed(NamedTuple):
         In the states of the nonlinear equations, speeds counted from the trim's.
     p, w, dw : Array
         Displacements, velocities and accelerations of all bodies by (x, u), (N, states + inputs).
-    load : Array
-        Loads of the wheels by (x, u).
     """
 
     A: Array
@@ -38,7 +36,6 @@ class Closed(NamedTuple):
     p: Array
     w: Array
     dw: Array
-    load: Array
 
 
 def slip_speed_slope(U: float) -> tuple[float, float]:
@@ -85,13 +82,12 @@ def columns(model: Model) -> Columns:
 class WheelColumns(NamedTuple):
     """What wheels do, by the unknowns.
 
-    Slip angle by kinematics, whole torque on the wheel, load, (w, columns) each; generalised forces on the bodies,
+    Slip angle by kinematics, whole torque on the wheel, (w, columns) each; generalised forces on the bodies,
     (N, columns).
     """
 
     side: Array
     torque: Array
-    load: Array
     force: Array
 
 
@@ -109,17 +105,16 @@ def wheels(prepared: Prepared, unknown: Columns, w: Array, p: Array) -> WheelCol
     alpha = side + 0.0
     alpha[c.relaxing] = unknown.side
     kappa = spinning * (radius * omega - (1.0 + change * trim.slip)[:, np.newaxis] * forward) / over
-    load = c.share @ unknown.support + (c.rolled + c.sprung) @ p + c.damped @ (w - prepared.matrices.V @ p)
+    load = c.share @ unknown.support + c.sprung @ p + c.damped @ (w - prepared.matrices.V @ p)
     arguments = np.array([alpha, kappa, load, c.lean @ p, forward])
     Fx, Fy, Mx, My, Mz = np.einsum("acw,aws->cws", slopes_at_trim(prepared), arguments)
     torque = np.outer(control.drive, unknown.drive[0] if len(unknown.drive) else control.demand @ unknown.u)
     torque -= unknown.brake if len(unknown.brake) else control.brake @ unknown.u
     Fx = spinning * Fx + (1.0 - spinning) * (torque + My) / radius
     Fx0, Fy0, Mx0, _, _ = trim.forces[:, :, np.newaxis]
-    rolling = Mx + c.lever[:, np.newaxis] * load
     back = spinning * torque - (1.0 - spinning) * My
-    on_body = np.array((Fx - Fy0 * steer, Fy + Fx0 * steer, rolling, Mx0 * steer - back, Mz, 0.0 * Fx))
-    return WheelColumns(side, torque + My - radius * Fx, load, np.einsum("kwn,kws->ns", c.rows, on_body))
+    on_body = np.array((Fx - Fy0 * steer, Fy + Fx0 * steer, Mx, Mx0 * steer - back, Mz, 0.0 * Fx))
+    return WheelColumns(side, torque + My - radius * Fx, np.einsum("kwn,kws->ns", c.rows, on_body))
 
 
 def close(prepared: Prepared) -> Closed:
@@ -150,16 +145,14 @@ def close(prepared: Prepared) -> Closed:
     known = w.shape[1] - len(c.supports)
     found = np.linalg.solve(np.eye(len(c.supports)) - carried[:, known:], carried[:, :known])
     counted, moved = from_frame(prepared, known)
-    rates_, p, w, dw, load = (
-        (item[:, :known] + item[:, known:] @ found) @ counted for item in (np.vstack(rates), p, w, dw, wheel.load)
-    )
+    rates_, p, w, dw = ((item[:, :known] + item[:, known:] @ found) @ counted for item in (np.vstack(rates), p, w, dw))
     states = len(rates_)
     A, B = np.split(moved @ rates_, [states], axis=1)
     # place and heading change nothing but that a heading leads aside
-    for exact in (A, w, dw, load):
+    for exact in (A, w, dw):
         exact[:, :3] = 0.0
     A[1, 2] = U
-    return Closed(A, B, p, w, dw, load)
+    return Closed(A, B, p, w, dw)
 
 
 def level(prepared: Prepared, p: Array) -> Array:

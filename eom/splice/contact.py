@@ -1,6 +1,5 @@
 """Where wheels meet the road and what they know of it, in arrays for the nonlinear equations."""
 
-from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -27,8 +26,11 @@ class Contact(NamedTuple):
         left on the ground, roll, pitch and yaw rates, upward.
     lean : Array
         Camber angles by displacements p, (w, N).
-    number, radius, lever : Array
-        Wheels that it stands for, rolling radius [m] (1 where none is given), place to the left of its support [m].
+    number, radius : Array
+        Wheels that it stands for, rolling radius [m] (1 where none is given).
+    lever, heave : Array
+        Moment about x [m] and force upward of a load beyond what the multibody part carries: place to the left of
+        the support, and 1 for wheels on springs of their own; zero for others.
     nominal, base : Array
         Loads at the trim, and the part of them that comes from no support [N], (w,).
     carried : Array
@@ -37,8 +39,8 @@ class Contact(NamedTuple):
         Loads by the supports' reactions, (w, s).
     most, alone : Array
         Share of its support's load that it carries when its partner lifts off, (w, s); infinite without one, (w,).
-    rolled, sprung, damped : Array
-        Loads by p (of rolling tyres), by p and by dp/dt of their own springs, (w, N).
+    sprung, damped : Array
+        Loads by p, of rolling tyres and of springs of their own, and by dp/dt, (w, N).
     spinning : NDArray
         Numbers of the wheels whose spin is a state.
     passing : NDArray
@@ -54,13 +56,13 @@ class Contact(NamedTuple):
     number: Array
     radius: Array
     lever: Array
+    heave: Array
     nominal: Array
     base: Array
     carried: Array
     share: Array
     most: Array
     alone: Array
-    rolled: Array
     sprung: Array
     damped: Array
     spinning: NDArray[np.intp]
@@ -71,14 +73,12 @@ class Contact(NamedTuple):
 
 
 def spliced(system: System) -> System:
-    """The system without what its wheels put in its place: slip of tyres, roll stiffness of tyres, drag."""
+    """The system without what its wheels put in its place: slip of tyres, and drag."""
     names = {wheel.axle for wheel in system.wheels} | {drag.name for drag in system.drags}
-    rolling = {wheel.spring for wheel in system.wheels if wheel.roll_rate and wheel.support}
     return system._replace(
         constraints=tuple(item for item in system.constraints if not item.moving),
         slip=tuple(item for item in system.slip if item.connection.name not in names),
         loads=tuple(item for item in system.loads if item.name not in {drag.name for drag in system.drags}),
-        elastic=tuple(item for item in system.elastic if item.connection.name not in rolling),
         inputs=tuple(item for item in system.inputs if item.name.rsplit(".", maxsplit=1)[0] not in names),
     )
 
@@ -102,7 +102,9 @@ def contacts(system: System, pivots: Pivots, loads: Array, reactions: Array) -> 
     roll = wheel_rows(system, ROLL)
     spring_rows = np.zeros((2, *roll.shape))
     for k, wheel in enumerate(wheels):
-        if not (wheel.support or wheel.roll_rate) and wheel.spring in springs:
+        if wheel.support:
+            spring_rows[0, k] = wheel.roll_rate * roll[k]
+        elif on_spring(wheel):
             spring_rows[:, k] = spring_forces(system, springs[wheel.spring])
     supports = np.array([row_of(system, pivots, name) for name in names], dtype=np.intp)
     carried = reactions[np.array(pivots.rows, dtype=np.intp)[supports]]
@@ -113,13 +115,13 @@ def contacts(system: System, pivots: Pivots, loads: Array, reactions: Array) -> 
         number=np.array([wheel.number for wheel in wheels]),
         radius=np.array([wheel.radius or 1.0 for wheel in wheels]),
         lever=np.array([wheel.place[1] - places[wheel.support][1] if wheel.support else 0.0 for wheel in wheels]),
+        heave=np.array([float(on_spring(wheel)) for wheel in wheels]),
         nominal=loads,
         base=loads - share @ carried,
         carried=carried,
         share=share,
         most=most,
         alone=np.where(np.any(share, axis=1), 0.0, np.inf),
-        rolled=np.array([wheel.roll_rate if wheel.support else 0.0 for wheel in wheels])[:, np.newaxis] * roll,
         sprung=spring_rows[0],
         damped=spring_rows[1],
         spinning=np.flatnonzero([wheel.spin_inertia > 0.0 for wheel in wheels]),
@@ -156,12 +158,24 @@ def spring_forces(system: System, item: Elastic) -> tuple[Array, Array]:
     return -item.stiffness[0] * row, -item.damping[0] * row
 
 
-def spring_loads(system: System, matrices: Matrices, wheels: Sequence[Wheel]) -> Array:
-    """What the wheels' own vertical springs carry at the trim [N], zero for other wheels."""
-    tensions: Mapping[str, float] = dict(
-        zip((item.connection.name for item in system.elastic), elastic_tensions(system, matrices), strict=True)
-    )
-    return np.array([0.0 if wheel.support or wheel.roll_rate else tensions.get(wheel.spring, 0.0) for wheel in wheels])
+def on_spring(wheel: Wheel) -> bool:
+    """Whether a vertical spring carries a wheel alone."""
+    return bool(wheel.spring and not (wheel.support or wheel.roll_rate))
+
+
+def spring_loads(system: System, matrices: Matrices) -> Array:
+    """What springs put on the wheels at the trim [N]: their own ones, and rolling tyres under a moment."""
+    names = [item.connection.name for item in system.elastic]
+    tensions = dict(zip(names, elastic_tensions(system, matrices), strict=True))
+    stiffness = {name: item.stiffness[1] for name, item in zip(names, system.elastic, strict=True)}
+    result = np.zeros(len(system.wheels))
+    for k, wheel in enumerate(system.wheels):
+        if on_spring(wheel):
+            result[k] = tensions[wheel.spring]
+        elif wheel.support and wheel.roll_rate:
+            # the angle of roll that the moment stands for
+            result[k] = -wheel.roll_rate * tensions[wheel.spring] / stiffness[wheel.spring]
+    return result
 
 
 def elastic_tensions(system: System, matrices: Matrices) -> list[float]:

@@ -62,13 +62,13 @@ class FlatWheels(NamedTuple):
     number: Array
     radius: Array
     lever: Array
+    heave: Array
     nominal: Array
     base: Array
     carried: Array
     share: Array
     most: Array
     alone: Array
-    displaced: Entries
     sprung: Entries
     damped: Entries
     spin: Indices
@@ -158,13 +158,13 @@ def flat(p: Model, tyres: Any) -> Flat:
             number=c.number,
             radius=c.radius,
             lever=c.lever,
+            heave=c.heave,
             nominal=c.nominal,
             base=c.base,
             carried=c.carried,
             share=c.share,
             most=c.most,
             alone=c.alone,
-            displaced=entries(c.rolled + c.sprung),
             sprung=entries(c.sprung),
             damped=entries(c.damped),
             spin=places(c.spinning, len(c.number)),

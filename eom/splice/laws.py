@@ -32,21 +32,28 @@ class LawError(ValueError):
         super().__init__(what)
 
 
+def fitted(law: TyreLaw, load: float, radius: float) -> Tyre:
+    """The tyre of a law at the load of one wheel [N], on a wheel of a radius [m]."""
+    try:
+        return KINDS[law.kind](law, load, radius)
+    except TyreError as error:
+        raise LawError(law.name, str(error)) from None
+
+
 def law_groups(wheels: Sequence[Wheel], laws: Sequence[TyreLaw], loads: Array) -> tuple[LawGroup, ...]:
     """The tyres of all wheels; each law is fitted at the mean of the loads [N] of the wheels that have it.
 
     *loads* are those of all that an element stands for.
     """
+    made: dict[tuple[int, float], Tyre] = {}
     tyres: list[Tyre] = []
     for wheel in wheels:
-        same = [load / other.number for load, other in zip(loads, wheels, strict=True) if other.tyre == wheel.tyre]
-        try:
-            tyre = KINDS[laws[wheel.tyre].kind](laws[wheel.tyre], float(np.mean(same)), wheel.radius)
-        except TyreError as error:
-            raise LawError(laws[wheel.tyre].name, str(error)) from None
-        if hasattr(tyre, "on") and wheel.name.endswith((".left", ".right")):
-            tyre = tyre.on(wheel.name.rsplit(".", maxsplit=1)[1])
-        tyres.append(tyre)
+        key = wheel.tyre, wheel.radius
+        if key not in made:
+            same = [load / other.number for load, other in zip(loads, wheels, strict=True) if other.tyre == wheel.tyre]
+            made[key] = fitted(laws[wheel.tyre], float(np.mean(same)), wheel.radius)
+        on_side = getattr(made[key], "on", None)
+        tyres.append(made[key] if on_side is None else on_side("right" if wheel.mirrored else "left"))
     groups: dict[tuple[Any, ...], list[int]] = {}
     for k, tyre in enumerate(tyres):
         form = tuple(getattr(tyre, name, None) for name in ("form", "use", "combined"))

@@ -136,13 +136,16 @@ def limits_of_load(free: Any, supports: Any, wheels: FlatWheels) -> Any:
     return limit
 
 
-def on_bodies(arguments: Any, load: Any, torque: Any, steer: Any, sprung: Any, found: Any, p: Flat) -> Any:
-    """Forces of the wheels on their bodies, (6, w), at given loads; *found* becomes those of the road, (5, w)."""
+def on_bodies(arguments: Any, load: Any, excess: Any, torque: Any, steer: Any, found: Any, p: Flat) -> Any:
+    """Forces of the wheels on their bodies, (6, w), at given loads; *found* becomes those of the road, (5, w).
+
+    *excess* is what the loads are beyond what supports and springs of the multibody part carry.
+    """
     wheels = p.wheels
     arguments[2] = load
     found[:] = tyre_forces(p.tyres, wheels.number, arguments[0], arguments[1], load, arguments[3], arguments[4])
     result = np.zeros((6, len(load)))
-    spin, radius, lever, alone = wheels.spin, wheels.radius, wheels.lever, wheels.alone
+    spin, radius, lever, heave = wheels.spin, wheels.radius, wheels.lever, wheels.heave
     for k in range(len(load)):
         spins = spin[k] >= 0
         if not spins:
@@ -150,11 +153,10 @@ def on_bodies(arguments: Any, load: Any, torque: Any, steer: Any, sprung: Any, f
         cos, sin = math.cos(steer[k]), math.sin(steer[k])
         result[0, k] = cos * found[0, k] - sin * found[1, k]
         result[1, k] = sin * found[0, k] + cos * found[1, k]
-        result[2, k] = cos * found[2, k] + lever[k] * load[k]
+        result[2, k] = cos * found[2, k] + lever[k] * excess[k]
         result[3, k] = sin * found[2, k] - (torque[k] if spins else -found[3, k])
         result[4, k] = found[4, k]
-        if alone[k] > 0.0:
-            result[5, k] = load[k] - sprung[k]
+        result[5, k] = heave[k] * excess[k]
     return result
 
 
@@ -203,6 +205,7 @@ def load_slopes(load: Any, limit: Any, slope: Any, p: Flat) -> Any:
     """Unit matrix less how supports' loads follow themselves, through slopes (6, w) of the wheels' forces."""
     wheels = p.wheels
     rows, body, share, most, gain = wheels.rows, wheels.body, wheels.share, wheels.most, wheels.load_gain
+    lever = wheels.lever
     count = share.shape[1]
     result = np.eye(count)
     for k in range(len(load)):
@@ -211,29 +214,27 @@ def load_slopes(load: Any, limit: Any, slope: Any, p: Flat) -> Any:
             follows = 0.0
             if load[k] > 0.0:
                 follows = share[k, s] if load[k] < limit[k] else most[k, s]
-            if follows == 0.0:
-                continue
             for j in range(6):
-                change = 0.0
+                change = rows[k, 2, j] * lever[k] * (follows - share[k, s])
                 for kind in range(5):
-                    change += rows[k, kind, j] * slope[kind, k]
+                    change += rows[k, kind, j] * slope[kind, k] * follows
                 for r in range(count):
-                    result[r, s] -= gain[r, at + j] * change * follows
+                    result[r, s] -= gain[r, at + j] * change
     return result
 
 
 def closed_loads(q: Any, W: Any, factor: Any, wheel: Any, applied: Any, displaced: Any, p: Flat) -> Any:
     """Loads of the supports, as `eom.splice.balance.support_loads`; *wheel* is what `on_bodies` takes."""
     wheels = p.wheels
-    arguments, torque, steer, own, sprung, found = wheel
+    arguments, torque, steer, own, found = wheel
     supports, free = wheels.carried.copy(), own.copy()
     if len(supports) == 0:
         return supports
     limit = limits_of_load(free, supports, wheels)
     load = np.minimum(np.maximum(free, 0.0), limit)
-    on_body = on_bodies(arguments, load, torque, steer, sprung, found, p)
+    on_body = on_bodies(arguments, load, load - free, torque, steer, found, p)
     step = LOAD_STEP * wheels.nominal
-    slope = (on_bodies(arguments, load + step, torque, steer, sprung, found, p) - on_body) / step
+    slope = (on_bodies(arguments, load + step, load - free, torque, steer, found, p) - on_body) / step
     force = applied + generalised(on_body, displaced, p)
     lacking = -force
     dn = solved(factor, projected(W, force), 1 if p.body.held else 0)
@@ -278,19 +279,16 @@ def rates_by_loops(x: Any, u: Any, p: Flat) -> Any:
     slips(arguments, side, omega, steer, x, local, p)
     torque = torques_of(x, u, omega, p)
     rising = wheels.base + product(wheels.damped, product(body.T, dq, N), count)
-    own, sprung = (
-        rising + product(wheels.displaced, displaced, count),
-        rising + product(wheels.sprung, displaced, count),
-    )
+    own = rising + product(wheels.sprung, displaced, count)
     # the drift of the velocities is a force of inertia
     applied = passive(u, n, w, local, displaced, p)
     add_product(body.M, drift, applied, -1.0)
     found = np.empty((5, count))
-    wheel = (arguments, torque, steer, own, sprung, found)
+    wheel = (arguments, torque, steer, own, found)
     supports = closed_loads(q, W, factor, wheel, applied, displaced, p)
     limit = limits_of_load(own, supports, wheels)
     load = np.minimum(np.maximum(own, 0.0), limit)
-    on_body = on_bodies(arguments, load, torque, steer, sprung, found, p)
+    on_body = on_bodies(arguments, load, load - own, torque, steer, found, p)
     dn = solved(factor, projected(W, applied + generalised(on_body, displaced, p)), 1 if body.held else 0)
     result = np.empty(len(x))
     v_x, v_y, yaw = n[body.lead[0]], n[body.lead[1]], x[2]

@@ -8,7 +8,7 @@ import numpy as np
 from eom.assembly.matrices import Matrices, assemble_matrices
 from eom.assembly.reduction import Pivots
 from eom.assembly.vectors import Array
-from eom.splice.contact import contacts, spring_loads
+from eom.splice.contact import contacts, on_spring, spring_loads
 from eom.splice.laws import UNLOADED, LawGroup, forces, law_groups
 from eom.splice.wheels import slip_speed
 from eom.vehicle.elements import Load, System, Wheel
@@ -50,17 +50,17 @@ class TrimError(ValueError):
 
 
 def solve_trim(
-    system: System, pivots: Pivots, speed: float, *, held: bool, groups: tuple[LawGroup, ...] | None = None
+    system: System, pivots: Pivots, speed: float, *, held: bool
 ) -> tuple[Trim, tuple[LawGroup, ...], Matrices]:
     """The trim of a system without its wheels' linear forces, the tyres' laws, and the matrices with its forces.
 
-    The laws are fitted at the trim's loads unless *groups* gives them. Raises `TrimError` where there is none.
+    The laws are fitted at the trim's loads. Raises `TrimError` where there is none.
     """
     wheels = system.wheels
     zero = np.zeros(len(wheels))
     radius = np.array([wheel.radius or 1.0 for wheel in wheels])
     now = Trim(speed, zero + np.nan, zero, zero, np.zeros((5, len(wheels))), 0.0)
-    laws = groups
+    laws: tuple[LawGroup, ...] = ()
     for _ in range(PASSES):
         acting = system._replace(loads=(*system.loads, *road_loads(system, now, held=held)))
         matrices = assemble_matrices(acting, pivots)
@@ -68,20 +68,19 @@ def solve_trim(
         if np.all(np.abs(loads - now.load) <= SETTLED * np.max(np.abs(loads), initial=1.0)):
             break
         check_loads(wheels, loads)
-        if groups is None:
-            laws = law_groups(wheels, system.tyres, loads)
-        slip, found, torque = steady_rolling(system, laws or (), loads, now.slip, speed, held=held)
+        laws = law_groups(wheels, system.tyres, loads)
+        slip, found, torque = steady_rolling(system, laws, loads, now.slip, speed, held=held)
         now = Trim(speed, loads, slip, (speed + slip * float(slip_speed(speed))) / radius, found, torque)
     else:
         raise TrimError(wheels[0].name, "loads and resistance of the straight run do not settle")
-    return now, laws or (), matrices
+    return now, laws, matrices
 
 
 def trim_loads(system: System, pivots: Pivots, matrices: Matrices) -> Array:
     """Normal loads [N] by statics, `UNLOADED` where nothing tells."""
     own = contacts(system, pivots, np.zeros(len(system.wheels)), matrices.statics.reactions)
-    loads = own.share @ own.carried + spring_loads(system, matrices, system.wheels)
-    told = [bool(wheel.support or (wheel.spring and not wheel.roll_rate)) for wheel in system.wheels]
+    loads = own.share @ own.carried + spring_loads(system, matrices)
+    told = [bool(wheel.support) or on_spring(wheel) for wheel in system.wheels]
     return np.where(told, loads, UNLOADED)
 
 

@@ -40,7 +40,7 @@ def rolling(state: State, u: Any, at: Motion, p: Model) -> Rolling:
 def free_loads(at: Motion, supports: Any, p: Model) -> Any:
     """Loads [N] that springs and supports would put on wheels that cannot lift; negative for those that do."""
     c = p.contact
-    return c.base + c.share @ supports + (c.rolled + c.sprung) @ at.displaced + c.damped @ (p.body.T @ at.dq)
+    return c.base + c.share @ supports + c.sprung @ at.displaced + c.damped @ (p.body.T @ at.dq)
 
 
 def wheel_loads(at: Motion, supports: Any, p: Model) -> Any:
@@ -71,22 +71,23 @@ def road_forces(slip: Rolling, load: Any, torque: Any, p: Model) -> Any:
     return found
 
 
-def on_bodies(found: Any, slip: Rolling, load: Any, torque: Any, p: Model) -> Any:
-    """Forces of road forces (5, w) and loads on the bodies, along the rows of `Contact`, (6, w)."""
+def on_bodies(found: Any, slip: Rolling, torque: Any, p: Model) -> Any:
+    """Forces of road forces (5, w) and torques on the bodies, along the rows of `Contact`, (6, w)."""
     c = p.contact
     cos, sin = np.cos(slip.steer), np.sin(slip.steer)
     Fx, Fy, Mx, Mz = found[0], found[1], found[2], found[4]
     # a spin that is no state passes on all torques but that of rolling resistance, which the road takes with the force
     back = -found[3]
     back[c.spinning] = torque[c.spinning]
-    # what presses beyond the springs that are part of the multibody's stiffness comes from `lifted`
-    return np.stack(
-        (cos * Fx - sin * Fy, sin * Fx + cos * Fy, cos * Mx + c.lever * load, sin * Mx - back, Mz, 0.0 * Fx)
-    )
+    return np.stack((cos * Fx - sin * Fy, sin * Fx + cos * Fy, cos * Mx, sin * Mx - back, Mz, 0.0 * Fx))
 
 
-def lifted(at: Motion, load: Any, p: Model) -> Any:
-    """What a wheel's own spring, which is part of the multibody's stiffness, must not pull when it lifts [N]."""
+def lifted(at: Motion, load: Any, supports: Any, p: Model) -> Any:
+    """What loads are beyond what supports and springs of the multibody part carry, along the rows of `Contact`, (6, w).
+
+    Nothing while all wheels stand: a wheel that lifts must not pull, and its partner carries what it left.
+    """
     c = p.contact
-    free = c.base + c.sprung @ at.displaced + c.damped @ (p.body.T @ at.dq)
-    return np.where(c.alone > 0.0, load - free, 0.0)
+    excess = load - free_loads(at, supports, p)
+    none = 0.0 * excess
+    return np.stack((none, none, c.lever * excess, none, none, c.heave * excess))

@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from eom.model.tyre import TyreModel
+from eom.splice.contact import elastic_tensions
 from eom.splice.motion import motion
 from eom.splice.state import Evaluation, Motion, split_state
 from tests.splice.shared import Array
@@ -22,7 +23,7 @@ class Powers(NamedTuple):
     road : float
         Of forces and moments of the road, slip and rolling resistance.
     loads : float
-        Of the wheels' loads about their supports and of springs that let go.
+        Of the wheels' loads about their supports beyond the springs of rolling tyres, and of springs that let go.
     drive, brakes : float
         Of torques between bodies and wheels.
     air : float
@@ -63,6 +64,8 @@ def powers(found: TyreModel, now: Evaluation, u: Array) -> Powers:
     wheels, bodies = system.wheels, [wheel.body for wheel in system.wheels]
     centres = np.array([item.centre for item in system.bodies])
     supports = {item.connection.name: item.connection.places[0] for item in system.constraints}
+    names = [item.connection.name for item in system.elastic]
+    preloads = dict(zip(names, elastic_tensions(system, found.prepared.matrices), strict=True))
     radius = np.array([wheel.radius for wheel in wheels])
     spinning = np.array([wheel.spin_inertia > 0.0 for wheel in wheels])
     omega = np.zeros(len(wheels))
@@ -77,6 +80,12 @@ def powers(found: TyreModel, now: Evaluation, u: Array) -> Powers:
     Fx, Fy, Mx, My, Mz = balance.forces
     road = (cos * Fx - sin * Fy) * forward + (sin * Fx + cos * Fy) * left + Mx * (cos * roll + sin * pitch) + Mz * yaw
     road += omega * np.where(spinning, My - radius * Fx, 0.0)
+    sprung = 0.0
+    for spring in system.elastic:
+        carried = [k for k, wheel in enumerate(wheels) if wheel.support and wheel.spring == spring.connection.name]
+        if carried:
+            tilt = at.displaced[6 * bodies[carried[0]] + 3]
+            sprung += (preloads[spring.connection.name] - spring.stiffness[1] * tilt) * roll[carried[0]]
     drive = p.control.drive * (now.state.drive[0] if len(now.state.drive) else p.control.demand @ u)
     turning = np.where(spinning, omega - pitch, 0.0)
     air = 0.0
@@ -85,7 +94,7 @@ def powers(found: TyreModel, now: Evaluation, u: Array) -> Powers:
         air -= item.factor * v * abs(v) * v
     return Powers(
         road=float(np.sum(road)),
-        loads=float(balance.load @ (levers * roll) + balance.body_forces[5] @ up),
+        loads=float(balance.load @ (levers * roll) - sprung + balance.body_forces[5] @ up),
         drive=float(drive @ turning),
         brakes=float((balance.torque - drive) @ turning),
         air=float(air),

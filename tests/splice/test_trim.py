@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 
 import eom
+from eom.model.tyre import tyre_slopes
+from eom.splice.closure import close
 from eom.splice.trim import loads_at_rest
 from tests.splice.b_train import B_TRAIN
 from tests.vehicles.shipped import FOLDER, vehicle
@@ -96,3 +98,22 @@ def test_a_support_that_carries_nothing_is_refused_by_its_axle() -> None:
     """The tractor's frame so far back that its front axle would have to pull."""
     with pytest.raises(eom.EquilibriumError, match=r"b_train.yaml:\d+:\d+: units.tractor.axles.front.*normal load"):
         eom.build(eom.load(FOLDER / "b_train.yaml", **{"tractor_frame.at.x": -12.0}))
+
+
+def test_a_train_that_leans_stands_on_its_tyres_by_moments() -> None:
+    """The tractor's frame 0.1 m to the left: its weight's moment is carried by tyres and the roll springs of hitches.
+
+    Without resistance, which would pull it aside. Loads have the moment of the masses about the plane of symmetry.
+    """
+    model = b_train(B_TRAIN, f_r=0.0, **{"tractor_frame.at.y": 0.1})
+    x, u = model.trim()
+    assert np.max(np.abs(model.rhs(0.0, x, u)[3:])) < 1e-9
+    load = model.evaluated(x, u).balance.load
+    half_tracks = np.array([wheel.place[1] for wheel in model.prepared.system.wheels])
+    assert load @ half_tracks == pytest.approx(6308.0 * G * 0.1, rel=1e-9)
+    assert load[0] > 1.01 * load[1]
+    A, B = tyre_slopes(model, x, u)
+    closed = close(model.prepared)
+    for found, wanted in ((A, closed.A), (B, closed.B)):
+        scale = np.max(np.abs(wanted), axis=1, keepdims=True)
+        assert np.max(np.abs(found - wanted) / np.maximum(scale, 1e-9 * np.max(scale))) < 1e-9
