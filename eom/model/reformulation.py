@@ -75,7 +75,9 @@ def reformulate(vehicle: Vehicle | Assembly) -> Reformulation:
     N = len(assembly.M)
     zero, one = np.zeros((N, N)), np.eye(N)
     E = L.T @ np.block([[one, zero], [zero, assembly.M]]) @ R
-    A2 = -np.linalg.solve(E, L.T)
+    # rows of lengths and of masses stand together: elimination keeps the digits of both only if they are of one size
+    size = np.max(np.abs(E), axis=1, keepdims=True)
+    A2 = -np.linalg.solve(E / size, L.T / size)
     return Reformulation(
         C_unity=C_rest + H.T @ unity @ H,
         Theta=Theta,

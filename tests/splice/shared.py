@@ -26,15 +26,6 @@ SIMPLE = (
     "truck_full_trailer",
 )
 """Shipped vehicles with linear tyres and a held speed."""
-RICH = (
-    "a_train_double",
-    "b_train",
-    "b_train_yaw_plane_nonlinear",
-    "car",
-    "tractor_semitrailer",
-    "tractor_semitrailer_nonlinear",
-)
-"""Shipped vehicles with nonlinear tyres and a free speed."""
 
 
 @cache

@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 from eom.model.tyre import TyreModel
-from tests.splice.shared import RICH, SIMPLE, Array, by_name, march, model, places
+from tests.splice.shared import SIMPLE, Array, by_name, march, model, places
 from tests.splice.test_power import random_state
+from tests.vehicles.shipped import WHEELED
 
 ODD = (".y", ".v_y", ".roll", ".roll_rate", ".yaw", ".yaw_rate", ".slip_angle")
 """What changes its sign in a mirror; a state's displacement may be counted from the frame."""
@@ -17,7 +18,7 @@ SIDES = {".left.": ".right.", ".right.": ".left.", "_left_": "_right_", "_right_
 
 
 @pytest.mark.parametrize("angle", [0.3, 2.0, -3.1])
-@pytest.mark.parametrize("name", SIMPLE + RICH)
+@pytest.mark.parametrize("name", SIMPLE + WHEELED)
 def test_heading_turns_the_path_and_changes_no_rate(name: str, angle: float) -> None:
     found = model(name)
     at, (x, u) = places(found), random_state(found, 1)
@@ -73,7 +74,7 @@ def mirrored_inputs(found: TyreModel, u: Array) -> Array:
     return np.asarray(np.where(odd, -1.0, 1.0) * u[other])
 
 
-@pytest.mark.parametrize("name", SIMPLE + RICH)
+@pytest.mark.parametrize("name", SIMPLE + WHEELED)
 def test_a_mirrored_motion_has_mirrored_rates(name: str) -> None:
     """At random states and inputs. Sums in another order: rounding, relative to the largest rate."""
     found = model(name)

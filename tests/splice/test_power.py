@@ -10,7 +10,8 @@ import pytest
 
 from eom.model.tyre import TyreModel
 from tests.splice.powers import Powers, kinetic_energy, powers
-from tests.splice.shared import RICH, STEP, Array, by_name, march, model, places
+from tests.splice.shared import STEP, Array, by_name, march, model, places
+from tests.vehicles.shipped import WHEELED
 
 SPRUNG = ("a_train_double", "b_train", "tractor_semitrailer")
 SEEDS = range(5)
@@ -29,7 +30,7 @@ def random_state(found: TyreModel, seed: int) -> tuple[Array, Array]:
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-@pytest.mark.parametrize("name", RICH)
+@pytest.mark.parametrize("name", WHEELED)
 def test_kinetic_energy_grows_by_the_power_of_all_forces(name: str, seed: int) -> None:
     """Exact derivatives on one side, sums of some ten powers on the other: rounding. Seen are 2e-15."""
     found = model(name)

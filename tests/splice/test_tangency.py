@@ -10,8 +10,8 @@ import pytest
 import eom
 from eom.model.tyre import TyreModel, build_tyre_model, tyre_slopes
 from eom.splice.closure import Closed, close
-from tests.splice.shared import RICH, SIMPLE, STEP, Array, model, places
-from tests.vehicles.shipped import NAMES, vehicle
+from tests.splice.shared import SIMPLE, STEP, Array, model, places
+from tests.vehicles.shipped import NAMES, WHEELED, vehicle
 
 SPEEDS = (5, 60, 88, 110, 120)
 RELATIVE = 1e-9
@@ -29,11 +29,11 @@ def same_slopes(found: TyreModel, speed: float, closed: Closed) -> None:
 
 def test_every_shipped_vehicle_with_axles_has_the_model() -> None:
     with_axles = [name for name in NAMES if vehicle(name).system.wheels]
-    assert with_axles == sorted(SIMPLE + RICH)
+    assert with_axles == sorted(SIMPLE + WHEELED)
 
 
 @pytest.mark.parametrize("speed", SPEEDS)
-@pytest.mark.parametrize("name", SIMPLE + RICH)
+@pytest.mark.parametrize("name", SIMPLE + WHEELED)
 def test_slopes_at_the_trim_are_the_closed_linear_model(name: str, speed: int) -> None:
     own = build_tyre_model(vehicle(name, U=f"{speed} km/h"))
     closed = close(own.prepared)
@@ -44,14 +44,14 @@ def test_slopes_at_the_trim_are_the_closed_linear_model(name: str, speed: int) -
 
 
 @pytest.mark.parametrize("speed", [1, 2, 3])
-@pytest.mark.parametrize("name", [name for name in SIMPLE + RICH if name != "car"])
+@pytest.mark.parametrize("name", [name for name in SIMPLE + WHEELED if name != "car"])
 def test_slopes_are_the_closed_linear_model_where_slips_are_bent(name: str, speed: int) -> None:
     """Below 3.6 km/h. Rolling resistance fades there, so that another trim's tyres are fitted at other loads."""
     own = build_tyre_model(vehicle(name, U=f"{speed} km/h"))
     same_slopes(own, speed / 3.6, close(own.prepared))
 
 
-@pytest.mark.parametrize("name", SIMPLE + RICH)
+@pytest.mark.parametrize("name", SIMPLE + WHEELED)
 def test_a_straight_run_at_another_speed_moves_springs_only_under_drag(name: str) -> None:
     """Rates that vanish to 1e-12 of gravity leave displacements of that size times m/k; drag of a car moves it 1e-4."""
     q = model(name).trim(80.0 / 3.6).x[places(model(name))["q"]]

@@ -14,7 +14,7 @@ WHEELED = (
     "tractor_semitrailer",
     "tractor_semitrailer_nonlinear",
 )
-"""Vehicles whose axles' tyres are wheels alone, with a nonlinear model."""
+"""Vehicles with wheels: nonlinear tyres and a free speed."""
 LINEAR = [name for name in NAMES if name not in WHEELED]
 TRAINS = ("tractor_semitrailer_yaw_plane", "b_train_yaw_plane", "b_train_yaw_roll")
 
