@@ -70,3 +70,11 @@ class MechanismError(EomError):
     def __init__(self, message: str, partial: object = None) -> None:
         self.partial = partial
         super().__init__(message)
+
+
+class SimulationError(EomError):
+    """A simulation that cannot go on or cannot be done as asked; ``partial`` holds the run until then, if any."""
+
+    def __init__(self, message: str, partial: object = None) -> None:
+        self.partial = partial
+        super().__init__(message)

@@ -4,14 +4,15 @@ from typing import Any
 
 import numpy as np
 
+from eom.program.arrays import solve_positive
 from eom.splice.contact import ROLL
 from eom.splice.motion import body_velocity, generalised, headed
 from eom.splice.state import Balance, Model, Motion, Rolling, State
 from eom.splice.wheels import lifted, on_bodies, road_forces, torques, wheel_loads
 from eom.tyre.elementary import magnitude, maximum
 
-LOAD_STEP = 1e-6
-"""Relative step of load by which its effect on tyre forces is found."""
+LIFTED = 1e-100
+"""Load [N] that changes no other one, and keeps the ratio of no force to no load zero."""
 
 
 def passive_forces(state: State, u: Any, at: Motion, p: Model) -> Any:
@@ -49,9 +50,9 @@ def accelerations(at: Motion, applied: Any, p: Model) -> tuple[Any, Any, Any]:
     mass = at.W.T @ (body.M @ at.W)
     force = at.W.T @ (applied - body.M @ at.drift)
     if body.held:
-        dn = np.concatenate((np.zeros(1), np.linalg.solve(mass[1:, 1:], force[1:])))
+        dn = np.concatenate((np.zeros(1), solve_positive(mass[1:, 1:], force[1:])))
     else:
-        dn = np.linalg.solve(mass, force)
+        dn = solve_positive(mass, force)
     dw = at.W @ dn + at.drift
     return dn, dw, body.M @ dw - applied
 
@@ -66,27 +67,28 @@ def reactions(state: State, lacking: Any, p: Model) -> Any:
 def support_loads(state: State, passive: Any, torque: Any, at: Motion, slip: Rolling, p: Model) -> Any:
     """Loads of the supports [N], by one step of Newton from those at the trim.
 
-    They follow from accelerations, these from tyre forces, and these from the loads. The step is exact to first order
-    about the trim, and else to the second order of the change of load; `Balance.assumed` lets check it against the
-    reactions.
+    They follow from accelerations, these from tyre forces, and these from the loads: nearly in proportion, with the
+    slopes of the trim at the trim. So the step is exact to first order about it; `Balance.assumed` lets check it
+    against the reactions.
     """
     c = p.contact
     at_trim = c.carried
     load = wheel_loads(at, at_trim, p)
-    pushed = on_bodies(road_forces(slip, load, torque, p), slip, torque, p)
-    step = LOAD_STEP * c.nominal
-    slope = (on_bodies(road_forces(slip, load + step, torque, p), slip, torque, p) - pushed) / step
-    on_body = pushed + lifted(at, load, at_trim, p)
+    found = road_forces(slip, load, torque, p)
+    by_load = found / (load + LIFTED) + p.bend
+    by_load[0][c.passing] = (by_load[3] / c.radius)[c.passing]
+    slope = on_bodies(by_load, slip, 0.0 * torque, p)
+    on_body = on_bodies(found, slip, torque, p) + lifted(at, load, at_trim, p)
     _, _, lacking = accelerations(at, passive + generalised(on_body, at, p), p)
     off = reactions(state, lacking, p)[c.supports] - at_trim
     # a wheel follows its share, with its partner lifted the whole axle's, and lifted nothing
     limit = (maximum(c.most @ at_trim, 0.0) + c.alone)[:, np.newaxis]
     loaded, shared = (load > 0.0)[:, np.newaxis], load[:, np.newaxis] < limit
     following = np.where(loaded, np.where(shared, c.share, c.most), 0.0)
-    by_load = slope[:, :, np.newaxis] * following
-    by_load[ROLL] += c.lever[:, np.newaxis] * (following - c.share)
+    pushed = slope[:, :, np.newaxis] * following
+    pushed[ROLL] += c.lever[:, np.newaxis] * (following - c.share)
     rows = c.rows.reshape(-1, c.rows.shape[2])
-    gain = p.load_gain @ (rows.T @ by_load.reshape(-1, len(at_trim)))
+    gain = (p.load_gain @ rows.T) @ pushed.reshape(-1, len(at_trim))
     return at_trim + np.linalg.solve(np.eye(len(at_trim)) - gain, off)
 
 

@@ -8,11 +8,14 @@ from numpy.typing import NDArray
 
 from eom.assembly.vectors import Array
 from eom.errors import TyreError
+from eom.program.arrays import over_lanes
 from eom.splice.kinds import KINDS
 from eom.tyre.interface import Tyre
 from eom.tyre.stack import stack
 from eom.vehicle.elements import TyreLaw, Wheel
 
+ROWS = 5
+"""Forces and moments that a tyre's formula gives."""
 UNLOADED = 1.0
 """Load [N] that stands for one that nothing tells, of wheels whose linear tyre asks for none."""
 
@@ -66,9 +69,9 @@ def forces(groups: tuple[LawGroup, ...], count: Array, alpha: Any, kappa: Any, F
 
     Arguments are arrays over the wheels as for `eom.tyre.Tyre.forces`; they may be complex, to carry a derivative.
     """
-    result = np.zeros((5, len(count)), dtype=np.result_type(alpha, kappa, Fz, gamma, speed, float))
+    parts = []
     for own, tyre in groups:
         arguments = [value[own] for value in (alpha, kappa, Fz / count, gamma, speed)]
-        for row, value in zip(result, tyre.formula(tyre, *arguments), strict=True):
-            row[own] = count[own] * value
-    return result
+        parts.append(np.stack([count[own] * value for value in over_lanes(tyre.formula, tyre, ROWS, arguments)]))
+    order = np.argsort(np.concatenate([own for own, _ in groups]))
+    return np.concatenate(parts, axis=1)[:, order]

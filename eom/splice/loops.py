@@ -34,7 +34,8 @@ def kept(value: float, low: float) -> float:
 
 def sense(v: float, low: float) -> float:
     """`eom.tyre.contact.rolling_sense` of a real number."""
-    return math.sin(0.5 * math.pi * min(max(v / low, -1.0), 1.0))
+    x = min(max(v / low, -1.0), 1.0)
+    return x * (1.5 - 0.5 * x * x)
 
 
 def mass_factor(W: Any, body: FlatBody) -> Any:

@@ -177,7 +177,7 @@ def point_velocity(at: Motion, heading: Any, grounded: Any, s: Signals) -> Any:
 def transfer(load: Any, belonging: Any, side: Any) -> Any:
     """Load transfer ratio of axles or units: left less right load over both, 0 without load."""
     both = (belonging * np.abs(side)) @ load
-    some = both != 0.0
+    some = both > 0.0
     return np.where(some, (belonging @ (side * load)) / np.where(some, both, 1.0), 0.0)
 
 

@@ -12,9 +12,10 @@ from eom.assembly.rows import rows
 from eom.assembly.vectors import Array
 from eom.splice.checks import check_balance, check_free, check_motions, check_supports
 from eom.splice.contact import Contact, contacts, spliced
+from eom.splice.laws import LawGroup, forces
 from eom.splice.multibody import Multibody, multibody
 from eom.splice.state import Control, Model
-from eom.splice.trim import Trim, solve_trim
+from eom.splice.trim import STEP, Trim, solve_trim
 from eom.vehicle.elements import GROUND, Connection, System
 
 
@@ -68,7 +69,7 @@ def prepare_with(system: System, speed: float, pivots: Pivots) -> Prepared:
         B=np.hstack((np.zeros((len(body.M), wheeled)), body.B)),
         steering=np.concatenate((np.zeros(wheeled, dtype=np.intp), body.steering)),
     )
-    model = Model(body, wheels, inputs, laws, load_gain(body, wheels))
+    model = Model(body, wheels, inputs, laws, load_gain(body, wheels), bend(wheels, laws, trim))
     return Prepared(model, trim, rest, pivots, matrices)
 
 
@@ -123,3 +124,11 @@ def load_gain(body: Multibody, wheels: Contact) -> Array:
     W = body.W[:, free]
     moved = body.M @ W @ np.linalg.solve(mass[free, free], W.T)
     return (body.react @ (moved - np.eye(len(moved))))[wheels.supports]
+
+
+def bend(wheels: Contact, laws: tuple[LawGroup, ...], trim: Trim) -> Array:
+    """What the forces of the road at the trim follow the loads beyond proportion, (5, w)."""
+    zero = np.zeros(len(trim.load))
+    at = forces(laws, wheels.number, zero, trim.slip, trim.load + 1j * STEP, zero, zero + trim.speed)
+    result: Array = at.imag / STEP - at.real / trim.load
+    return result

@@ -39,13 +39,18 @@ class Control(NamedTuple):
 
 
 class Model(NamedTuple):
-    """Everything that the equations need, in numbers; ``load_gain`` is of supports' loads by forces on w, (s, N)."""
+    """Everything that the equations need, in numbers.
+
+    ``load_gain`` is of supports' loads by forces on w, (s, N). ``bend`` is what the road's forces at the trim follow
+    the loads beyond proportion, (5, w).
+    """
 
     body: Multibody
     contact: Contact
     control: Control
     laws: tuple[LawGroup, ...]
     load_gain: Array
+    bend: Array
 
 
 class State(NamedTuple):

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from eom.tyre.elementary import maximum, minimum, sin
+from eom.tyre.elementary import maximum, minimum
 from eom.tyre.parameters import Values
 
 LIFT = 0.01
@@ -31,8 +31,9 @@ def contact(Fz: Values, nominal: Values) -> tuple[Any, Any]:
 
 
 def rolling_sense(v: Values, low_speed: Values) -> Any:
-    """Direction of rolling: the sign of a speed v, by a sine through zero below the low speed [both m/s]."""
-    return sin(0.5 * np.pi * minimum(maximum(v / low_speed, -1.0), 1.0))
+    """Direction of rolling: the sign of a speed v, by a cubic through zero below the low speed [both m/s]."""
+    x = minimum(maximum(v / low_speed, -1.0), 1.0)
+    return x * (1.5 - 0.5 * x * x)
 
 
 def rolling_speed(kappa: Values, speed: Values, low_speed: Values) -> Any:

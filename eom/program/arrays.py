@@ -1,0 +1,185 @@
+"""Arrays of nodes: NumPy's functions, written down on a tape instead of computed."""
+
+import functools
+from collections.abc import Callable
+from typing import Any, ClassVar
+
+import numpy as np
+
+from eom.program.tape import BRANCH, Call, Node, Op, Tape, binary, both, chosen
+
+MANY = 4
+"""So many elementary functions of the same kind at once are a call over lanes."""
+
+
+def elementwise(function: Callable[..., Any], arity: int) -> Callable[..., Any]:
+    """A function of scalars over arrays of objects."""
+    return np.frompyfunc(function, arity, 1)
+
+
+def one(op: Op) -> Callable[..., Any]:
+    """An operation on one node."""
+    return elementwise(lambda a: a.apply(op), 1)
+
+
+def two(op: Op) -> Callable[..., Any]:
+    """An operation on two numbers or nodes."""
+    return elementwise(lambda a, b: binary(op, a, b), 2)
+
+
+def equal(a: Any, b: Any) -> Node:
+    """1 where two constants are equal, else 0; a parameter is never like a constant, or it would be one."""
+    a, b = both(a, b)
+    if not {a.op[0], b.op[0]} <= {Op.CONST, Op.PARAMETER}:
+        raise TypeError(BRANCH)
+    return a.tape.constant(float(a.place == b.place))
+
+
+def infinite(a: Node) -> Node:
+    """1 for a constant that is infinite; what a run computes is not."""
+    return a.tape.constant(float(a.value is not None and np.isinf(a.value)))
+
+
+class NodeArray(np.ndarray[Any, np.dtype[np.object_]]):
+    """An array of nodes that NumPy's functions take like one of numbers."""
+
+    UFUNCS: ClassVar[dict[str, Callable[..., Any]]] = {
+        "maximum": two(Op.MAX),
+        "minimum": two(Op.MIN),
+        "greater": elementwise(lambda a, b: binary(Op.LESS, b, a), 2),
+        "less": two(Op.LESS),
+        "equal": elementwise(equal, 2),
+        "not_equal": elementwise(lambda a, b: 1.0 - equal(a, b), 2),
+        "copysign": two(Op.COPYSIGN),
+        "absolute": one(Op.ABS),
+        "sqrt": one(Op.SQRT),
+        "floor": one(Op.FLOOR),
+        "isinf": elementwise(infinite, 1),
+    }
+    TRANSCENDENTAL: ClassVar[dict[str, Op]] = {
+        name: Op[name.upper()] for name in ("sin", "cos", "tan", "arctan", "exp", "log")
+    }
+
+    def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, out: Any = None, **options: Any) -> Any:
+        """Any elementwise function, or its reduction."""
+        plain = [item.view(np.ndarray) if isinstance(item, NodeArray) else item for item in inputs]
+        if method == "__call__" and ufunc.__name__ in self.TRANSCENDENTAL:
+            result = transcendental(ufunc, self.TRANSCENDENTAL[ufunc.__name__], plain[0])
+        elif method == "__call__" and ufunc.__name__ in self.UFUNCS:
+            result = self.UFUNCS[ufunc.__name__](*plain)
+        elif method == "__call__" and ufunc.__name__ == "matmul":
+            result = np.dot(*(np.asarray(item, dtype=object) for item in plain))
+        elif method == "reduce" and ufunc.__name__ in self.UFUNCS:
+            function, axis = self.UFUNCS[ufunc.__name__], options["axis"]
+            result = functools.reduce(function, np.moveaxis(plain[0], axis, 0))
+        else:
+            result = getattr(ufunc, method)(*plain, **options)
+        if out is None:
+            return as_nodes(result)
+        out[0][...] = result
+        return out[0]
+
+    def __array_function__(self, func: Any, types: Any, args: Any, kwargs: Any) -> Any:
+        """Functions that are not elementwise; most are made of those that are."""
+        match func.__name__:
+            case "where":
+                return as_nodes(elementwise(chosen, 3)(*(np.asarray(item, dtype=object) for item in args)))
+            case "result_type":
+                return np.dtype(object)
+            case "solve":
+                return as_nodes(solved(*(np.asarray(item, dtype=object) for item in args)))
+        return super().__array_function__(func, types, args, kwargs)
+
+
+def as_nodes(array: Any) -> Any:
+    """An array of objects as an array of nodes."""
+    return np.asarray(array, dtype=object).view(NodeArray)
+
+
+def tape_of(array: Any) -> Tape:
+    """The tape of the first node in an array."""
+    tape: Tape = next(item.tape for item in np.asarray(array, dtype=object).flat if isinstance(item, Node))
+    return tape
+
+
+def transcendental(ufunc: Any, op: Op, array: Any) -> Any:
+    """A function that takes long: of many numbers at once it is a call over lanes."""
+    array = np.asarray(array, dtype=object)
+    nodes = list(dict.fromkeys(item.place for item in array.flat if item.value is None))
+    if len(nodes) < MANY:
+        return one(op)(array)
+    tape = tape_of(array)
+    found = called(tape, Call(ufunc, (), (), (tuple(nodes),), 1))[0]
+    lanes = dict(zip(nodes, found, strict=True))
+    return elementwise(lambda item: lanes[item.place] if item.value is None else item.apply(op), 1)(array)
+
+
+def called(tape: Tape, call: Call) -> list[list[Node]]:
+    """The results of a call over lanes, rows of nodes; the same call before is the same one."""
+    if call not in tape.calls:
+        tape.calls.append(call)
+    index, lanes = tape.calls.index(call), len(call.arguments[0])
+    return [[tape.node(Op.LANE, index, row, lane) for lane in range(lanes)] for row in range(call.rows)]
+
+
+def over_lanes(function: Any, coefficients: Any, rows: int, arguments: list[Any]) -> Any:
+    """``function(coefficients, *arguments)`` of arrays over lanes, *rows* of them; on a tape it is one call."""
+    if not any(isinstance(item, NodeArray) for item in arguments):
+        return function(coefficients, *arguments)
+    tape = tape_of(np.concatenate([np.asarray(item, dtype=object) for item in arguments]))
+    count = len(arguments[0])
+
+    def places(values: Any) -> tuple[int, ...]:
+        """Places of the nodes of an array over lanes, numbers written down as constants."""
+        row = np.broadcast_to(np.asarray(values, dtype=object), (count,))
+        return tuple((item if isinstance(item, Node) else tape.constant(float(item))).place for item in row)
+
+    names: tuple[str, ...] = coefficients.names
+    own = tuple(places(getattr(coefficients, name)) for name in names)
+    call = Call(function, names, own, tuple(places(item) for item in arguments), rows)
+    return as_nodes(called(tape, call))
+
+
+def solve_positive(matrix: Any, right: Any) -> Any:
+    """Solution of a system whose matrix is symmetric and positive definite."""
+    if not isinstance(matrix, NodeArray):
+        return np.linalg.solve(matrix, right)
+    n = len(matrix)
+    L, pivots, inverse = np.zeros((n, n), dtype=object), [], []
+    for j in range(n):
+        moved = [L[j, k] * pivots[k] for k in range(j)]
+        for i in range(j, n):
+            left = matrix[i, j]
+            for k in range(j):
+                left = left - L[i, k] * moved[k]
+            if i == j:
+                pivots.append(left)
+                inverse.append(1.0 / left)
+            else:
+                L[i, j] = left * inverse[j]
+    x = list(right)
+    for i in range(n):
+        for k in range(i):
+            x[i] = x[i] - L[i, k] * x[k]
+    x = [value * own for value, own in zip(x, inverse, strict=True)]
+    for i in reversed(range(n)):
+        for k in range(i + 1, n):
+            x[i] = x[i] - L[k, i] * x[k]
+    return as_nodes(x)
+
+
+def solved(matrix: Any, right: Any) -> Any:
+    """Solution of a small system by elimination without pivots: its diagonal must dominate."""
+    matrix, right = matrix.copy(), right.copy()
+    n = len(matrix)
+    for j in range(n):
+        for i in range(j + 1, n):
+            factor = matrix[i, j] / matrix[j, j]
+            for k in range(j + 1, n):
+                matrix[i, k] = matrix[i, k] - factor * matrix[j, k]
+            right[i] = right[i] - factor * right[j]
+    for i in reversed(range(n)):
+        for k in range(i + 1, n):
+            right[i] = right[i] - matrix[i, k] * right[k]
+        right[i] = right[i] / matrix[i, i]
+    return right

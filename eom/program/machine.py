@@ -1,0 +1,304 @@
+"""A plan as machine code: straight lines of arithmetic, and loops over lanes, several to a vector register.
+
+What compilers do with loops and arrays is not needed where everything is known beforehand; so instructions are handed
+to LLVM one by one, by way of numba's intrinsics.
+"""
+
+from collections.abc import Callable, Sequence
+from importlib import import_module
+from typing import Any
+
+import numpy as np
+
+from eom.program import elementary
+from eom.program.arrays import as_nodes
+from eom.program.numbers import Coefficients
+from eom.program.plan import LANE_BLOCK, Launch, Plan, reached
+from eom.program.tape import Op, Tape
+
+POINTERS = ("state", "input", "parameters", "scratch", "results")
+SLOPPY = ("contract",)
+"""A product and a sum may be one instruction: more exact, not less."""
+
+
+class Value:
+    """A number, or several at once, in a function that is being written."""
+
+    __slots__ = ("builder", "item")
+
+    def __init__(self, builder: Any, item: Any) -> None:
+        self.builder, self.item = builder, item
+
+    def of(self, other: object) -> Any:
+        """Another value, or a number, as an operand."""
+        return other.item if isinstance(other, Value) else constant(self.item.type, float(other))  # type: ignore[arg-type]
+
+    def new(self, item: Any) -> "Value":
+        """A value of the same function."""
+        return Value(self.builder, item)
+
+    def __add__(self, other: object) -> "Value":
+        return self.new(self.builder.fadd(self.item, self.of(other), flags=SLOPPY))
+
+    __radd__ = __add__
+
+    def __sub__(self, other: object) -> "Value":
+        return self.new(self.builder.fsub(self.item, self.of(other), flags=SLOPPY))
+
+    def __rsub__(self, other: object) -> "Value":
+        return self.new(self.builder.fsub(self.of(other), self.item, flags=SLOPPY))
+
+    def __mul__(self, other: object) -> "Value":
+        return self.new(self.builder.fmul(self.item, self.of(other), flags=SLOPPY))
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: object) -> "Value":
+        return self.new(self.builder.fdiv(self.item, self.of(other)))
+
+    def __neg__(self) -> "Value":
+        return self.new(self.builder.fneg(self.item))
+
+    def less(self, other: object) -> "Value":
+        """Whether it is less than another, one or more bits."""
+        return self.new(self.builder.fcmp_ordered("<", self.item, self.of(other)))
+
+    def pick(self, then: Any, other: Any) -> "Value":
+        """Of bits: one of two values."""
+        like = then if isinstance(then, Value) else other
+        if not isinstance(like, Value):
+            like = self.new(constant(lanes_of(self.item.type, double()), 0.0))
+        return self.new(self.builder.select(self.item, like.of(then), like.of(other)))
+
+    def library(self, name: str, *others: "Value") -> "Value":
+        """An instruction that LLVM has under a name."""
+        ir = import_module("llvmlite.ir")
+        kind, module = self.item.type, self.builder.module
+        full = f"llvm.{name}.{'f64' if kind == double() else f'v{kind.count}f64'}"
+        function = module.globals.get(full) or ir.Function(
+            module, ir.FunctionType(kind, [kind] * (1 + len(others))), full
+        )
+        return self.new(self.builder.call(function, [self.item, *(other.item for other in others)]))
+
+    def absolute(self) -> "Value":
+        """|x|."""
+        return self.library("fabs")
+
+    def floored(self) -> "Value":
+        """The largest whole number that is not larger."""
+        return self.library("floor")
+
+    def root(self) -> "Value":
+        """The square root."""
+        return self.library("sqrt")
+
+    def signed_as(self, other: "Value") -> "Value":
+        """Its size with the sign of another."""
+        return self.library("copysign", other)
+
+    def power_of_two(self) -> "Value":
+        """2 to a whole number, by its exponent's bits."""
+        whole = lanes_of(self.item.type, integer())
+        shifted = self.builder.add(self.builder.fptosi(self.item, whole), constant(whole, 1023))
+        return self.new(self.builder.bitcast(self.builder.shl(shifted, constant(whole, 52)), self.item.type))
+
+    def split(self) -> tuple["Value", "Value"]:
+        """m and e with x = m 2^e and 1 <= m < 2, of x > 0."""
+        kind = self.item.type
+        whole = lanes_of(kind, integer())
+        bits = self.builder.bitcast(self.item, whole)
+        exponent = self.builder.sub(self.builder.lshr(bits, constant(whole, 52)), constant(whole, 1023))
+        rest = self.builder.and_(bits, constant(whole, 0x000FFFFFFFFFFFFF))
+        one = self.builder.or_(rest, constant(whole, 0x3FF0000000000000))
+        return self.new(self.builder.bitcast(one, kind)), self.new(self.builder.sitofp(exponent, kind))
+
+
+def double() -> Any:
+    """LLVM's type of a number."""
+    return import_module("llvmlite.ir").DoubleType()
+
+
+def integer() -> Any:
+    """LLVM's type of an index."""
+    return import_module("llvmlite.ir").IntType(64)
+
+
+def lanes_of(kind: Any, element: Any) -> Any:
+    """As many elements as a type has."""
+    return import_module("llvmlite.ir").VectorType(element, kind.count) if hasattr(kind, "count") else element
+
+
+def constant(kind: Any, value: float) -> Any:
+    """A number, in every lane of a type."""
+    ir = import_module("llvmlite.ir")
+    if hasattr(kind, "count"):
+        return ir.Constant(kind, [ir.Constant(kind.element, value)] * kind.count)
+    return ir.Constant(kind, value)
+
+
+WRITTEN: dict[Op, Callable[..., Value]] = {
+    Op.ADD: lambda a, b: a + b,
+    Op.SUB: lambda a, b: a - b,
+    Op.MUL: lambda a, b: a * b,
+    Op.DIV: lambda a, b: a / b,
+    Op.NEG: lambda a: -a,
+    Op.ABS: Value.absolute,
+    Op.SQRT: Value.root,
+    Op.FLOOR: Value.floored,
+    Op.SIN: elementary.sine,
+    Op.COS: elementary.cosine,
+    Op.TAN: elementary.tangent,
+    Op.ARCTAN: elementary.arctangent,
+    Op.EXP: elementary.exponential,
+    Op.LOG: elementary.logarithm,
+    # the first one where either is no number
+    Op.MAX: lambda a, b: a.less(b).pick(b, a),
+    Op.MIN: lambda a, b: b.less(a).pick(b, a),
+    Op.COPYSIGN: Value.signed_as,
+    Op.LESS: lambda a, b: a.less(b).pick(1.0, 0.0),
+    Op.CHOOSE: lambda test, then, other: (-test.absolute()).less(0.0).pick(then, other),
+}
+
+
+class Memory:
+    """The arrays of a function that is being written, by name."""
+
+    def __init__(self, builder: Any, pointers: dict[str, Any]) -> None:
+        self.builder, self.pointers = builder, pointers
+
+    def place(self, name: str, index: int, begin: Any = None, kind: Any = None) -> Any:
+        """Pointer to an element, counted from a *begin* that is known at run time only, of a kind of vector."""
+        at = constant(integer(), index)
+        at = at if begin is None else self.builder.add(begin, at)
+        pointer = self.builder.gep(self.pointers[name], [at], inbounds=True)
+        return pointer if kind is None else self.builder.bitcast(pointer, kind.as_pointer())
+
+    def load(self, name: str, index: int, begin: Any = None, kind: Any = None) -> Value:
+        """An element, or several from there on."""
+        item = self.builder.load(self.place(name, index, begin, kind))
+        item.align = 8
+        return Value(self.builder, item)
+
+    def store(self, value: Value, name: str, index: int, begin: Any = None) -> None:
+        """Set an element, or several from there on."""
+        kind = value.item.type
+        pointer = self.place(name, index, begin, None if kind == double() else kind)
+        self.builder.store(value.item, pointer).align = 8
+
+
+def write(plan: Plan, builder: Any, pointers: Sequence[Any], level: Any) -> None:
+    """Write the instructions of a plan: results of levels up to *level*, which is known at run time only."""
+    memory = Memory(builder, dict(zip(POINTERS, pointers, strict=True)))
+    for stage, launches in enumerate(plan.launches):
+        write_stage(plan, stage, memory, level)
+        for launch in launches:
+            wanted = min(plan.call_levels[index] for index, _ in launch.lanes)
+            with builder.if_then(builder.icmp_signed(">=", level, constant(integer(), wanted))):
+                write_lanes(launch, memory)
+
+
+def write_stage(plan: Plan, stage: int, memory: Memory, level: Any) -> None:
+    """Scalar operations of a stage, arguments of the calls that follow, and results in the last one."""
+    tape, builder = plan.tape, memory.builder
+    parameter = {place: k for k, place in reversed(list(enumerate(plan.parameters)))}
+    result = {}
+    for launches in plan.launches:
+        for item in launches:
+            result.update({pair: (item, lane) for lane, pair in enumerate(item.lanes)})
+    values: dict[int, Value] = {}
+
+    def value(place: int) -> Value:
+        """The value of a place: computed in this stage, or loaded."""
+        if place not in values:
+            op, *args = tape.ops[place]
+            if op == Op.CONST:
+                values[place] = Value(builder, constant(double(), tape.constants[args[0]]))
+            elif place in parameter:
+                values[place] = memory.load("parameters", parameter[place])
+            elif op in {Op.STATE, Op.INPUT}:
+                values[place] = memory.load("state" if op == Op.STATE else "input", args[0])
+            elif op == Op.LANE:
+                item, lane = result[args[0], args[2]]
+                values[place] = memory.load("scratch", item.results + item.stride * args[1] + lane)
+            else:
+                values[place] = memory.load("scratch", plan.slots[place])
+        return values[place]
+
+    def write_level(k: int) -> None:
+        """What a level needs, and those after it."""
+        for place in plan.stages[stage][k]:
+            op, *args = tape.ops[place]
+            values[place] = WRITTEN[Op(op)](*map(value, args))
+            if place in plan.slots:
+                memory.store(values[place], "scratch", plan.slots[place])
+        for item in plan.launches[stage]:
+            for lane, (index, own) in enumerate(item.lanes):
+                if plan.call_levels[index] == k:
+                    for row, places in enumerate(tape.calls[index].arguments):
+                        memory.store(value(places[own]), "scratch", item.arguments + item.stride * row + lane)
+        if stage == len(plan.stages) - 1:
+            first = sum(len(group) for group in plan.roots[:k])
+            for row, place in enumerate(plan.roots[k]):
+                memory.store(value(place), "results", first + row)
+        if k + 1 < len(plan.roots):
+            with builder.if_then(builder.icmp_signed(">", level, constant(integer(), k))):
+                write_level(k + 1)
+
+    write_level(0)
+
+
+def write_lanes(launch: Launch, memory: Memory) -> None:
+    """A loop over the lanes of a call."""
+    cgutils: Any = import_module("numba.core.cgutils")
+    tape, roots = lane_tape(launch)
+    builder, kind = memory.builder, import_module("llvmlite.ir").VectorType(double(), LANE_BLOCK)
+    zero, count, step = (constant(integer(), number) for number in (0, launch.stride, LANE_BLOCK))
+    with cgutils.for_range_slice(builder, zero, count, step, intp=integer()) as (begin, _):
+        values: dict[int, Value] = {}
+        for place in sorted(reached(tape, roots)):
+            op, *args = tape.ops[place]
+            if op == Op.CONST:
+                values[place] = Value(builder, constant(kind, tape.constants[args[0]]))
+            elif op == Op.PARAMETER:
+                at = launch.coefficients + launch.stride * args[0]
+                values[place] = memory.load("parameters", at, begin, kind)
+            elif op == Op.INPUT:
+                values[place] = memory.load("scratch", launch.arguments + launch.stride * args[0], begin, kind)
+            else:
+                values[place] = WRITTEN[Op(op)](*(values[arg] for arg in args))
+        for row, place in enumerate(roots):
+            memory.store(values[place], "scratch", launch.results + launch.stride * row, begin)
+
+
+def lane_tape(launch: Launch) -> tuple[Tape, list[int]]:
+    """The operations of a call in one lane: coefficients are parameters, arguments inputs."""
+    tape, call = Tape(), launch.call
+
+    def scalar(op: Op, k: int) -> Any:
+        return as_nodes(tape.node(op, k))
+
+    arguments = [scalar(Op.INPUT, k) for k in range(len(call.arguments))]
+    if call.names:
+        own = {name: scalar(Op.PARAMETER, k) for k, name in enumerate(call.names)}
+        found = call.function(Coefficients(**own), *arguments)
+    else:
+        found = (call.function(*arguments),)
+    nodes = [np.asarray(item, dtype=object).item() for item in found]
+    return tape, [(node if hasattr(node, "place") else tape.constant(node)).place for node in nodes]
+
+
+def intrinsic(plan: Callable[[], Plan]) -> Any:
+    """numba's function of (state, input, parameters, scratch, results, level), pointers and a number.
+
+    The plan is asked for when it is compiled.
+    """
+    extending, types = import_module("numba.extending"), import_module("numba.types")
+
+    def code(context: Any, builder: Any, _signature: Any, args: Any) -> Any:
+        write(plan(), builder, args[:-1], args[-1])
+        return context.get_dummy_value()
+
+    def program(_typing: Any, x: Any, u: Any, parameters: Any, scratch: Any, results: Any, level: Any) -> Any:
+        return types.void(x, u, parameters, scratch, results, level), code
+
+    return extending.intrinsic(program)

@@ -1,0 +1,35 @@
+"""Sample times as exact fractions, so that samples that should coincide do."""
+
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from typing import NamedTuple
+
+DENOMINATOR = 10**9
+SMALLEST = 1.0 / DENOMINATOR
+
+
+class Instant(NamedTuple):
+    """A sample time [s] and the numbers of the blocks that are due then."""
+
+    time: float
+    due: tuple[int, ...]
+
+
+def exact(time: float) -> Fraction:
+    """A time [s] as the closest fraction with a denominator of at most a thousand millions.
+
+    Decimal times become what they read as: 0.01 is one hundredth. Others change by less than 1e-9 s.
+    """
+    return Fraction(time).limit_denominator(DENOMINATOR)
+
+
+def instants(periods: Sequence[float]) -> Iterator[Instant]:
+    """All sample times from 0 on, without end: the multiples of all periods [s], each once, none without periods.
+
+    A time is the float next to the exact multiple, so that nothing adds up.
+    """
+    fractions = [exact(period) for period in periods]
+    now = Fraction(0)
+    while fractions:
+        yield Instant(float(now), tuple(k for k, period in enumerate(fractions) if (now / period).denominator == 1))
+        now = min((now // period + 1) * period for period in fractions)
