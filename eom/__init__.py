@@ -24,6 +24,9 @@ from eom.errors import (
     OutputError as OutputError,
 )
 from eom.errors import (
+    SimulationError as SimulationError,
+)
+from eom.errors import (
     SingularError as SingularError,
 )
 from eom.errors import (
@@ -44,6 +47,8 @@ if TYPE_CHECKING:
     from eom.model.reformulation import reformulate as reformulate
     from eom.model.tyre import TyreModel as TyreModel
     from eom.model.tyre import build as build
+    from eom.simulate import Run as Run
+    from eom.simulate import simulate as simulate
     from eom.vehicle.load import Vehicle as Vehicle
     from eom.vehicle.load import load as load
     from eom.vehicle.load import loads as loads
@@ -59,6 +64,8 @@ PUBLIC = {
     "reformulate": "eom.model.reformulation",
     "Reformulation": "eom.model.reformulation",
     "LinearModel": "eom.model",
+    "simulate": "eom.simulate",
+    "Run": "eom.simulate",
     "write_module": "eom.codegen",
     "kinematic_sweep": "eom.analysis",
     "KinematicSweep": "eom.analysis",

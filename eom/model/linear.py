@@ -1,7 +1,8 @@
 """The linear model: minimal state space with names and units."""
 
+import functools
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -17,6 +18,22 @@ from eom.vehicle.load import Vehicle
 
 if TYPE_CHECKING:
     import control
+
+    from eom.program.make import Ready
+
+
+class Matrices(NamedTuple):
+    """Of a linear model."""
+
+    A: Array
+    B: Array
+    C: Array
+    D: Array
+
+
+def linear(x: Any, u: Any, numbers: Matrices) -> tuple[Any, Any, Any]:
+    """Rates, margins of no limits, and outputs."""
+    return numbers.A @ x + numbers.B @ u, np.zeros(0), numbers.C @ x + numbers.D @ u
 
 
 @dataclass(frozen=True)
@@ -60,6 +77,13 @@ class LinearModel:
     bodies: tuple[str, ...]
     centres: Array
     motion: Array
+
+    @functools.cached_property
+    def program(self) -> "Ready":
+        """The equations as a program, which runs compiled or over many cases at once."""
+        from eom.program.make import ready  # noqa: PLC0415  not needed for analyses
+
+        return ready(linear, Matrices(self.A, self.B, self.C, self.D), len(self.A), self.B.shape[1])
 
     def modes(self) -> Modes:
         """Eigenvalues with frequency, damping ratio, wavelength, participation, shapes and instant centres."""

@@ -1,5 +1,6 @@
 """The nonlinear model of a vehicle whose tyres are spliced in: states, inputs, outputs by name, rates, trim, limits."""
 
+import functools
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -11,6 +12,7 @@ from eom.assembly.vectors import Array
 from eom.errors import EquilibriumError
 from eom.model.assembly import prepared_for
 from eom.model.linear import LinearModel, linearise
+from eom.splice.equations import spliced
 from eom.splice.limits import Limit, all_margins, happened, limits
 from eom.splice.outputs import Signals, all_outputs, body_coordinates
 from eom.splice.prepare import Prepared, input_names
@@ -30,7 +32,7 @@ class Run(NamedTuple):
 
 
 if TYPE_CHECKING:
-    from eom.splice.compiled import Compiled
+    from eom.program.make import Ready
 
 
 @dataclass(frozen=True)
@@ -98,14 +100,12 @@ class TyreModel:
         found: Array = all_margins(self.evaluated(x, u), self.numbers, self.signals)
         return found
 
-    def compiled(self) -> "Compiled":
-        """The rates as machine code, ``rates(x, u, numbers)`` with its numbers; needs numba.
+    @functools.cached_property
+    def program(self) -> "Ready":
+        """Rates, margins and outputs as a program, which runs compiled or over many cases at once."""
+        from eom.program.make import ready  # noqa: PLC0415  not needed for a look at the model
 
-        To be called from Python or from compiled code. The first call takes some half a minute to compile.
-        """
-        from eom.splice.compiled import compile_rates  # noqa: PLC0415  needs numba
-
-        return compile_rates(self.numbers)
+        return ready(spliced, (self.numbers, self.signals), len(self.states), len(self.inputs))
 
     def trim(self, speed: float | None = None) -> Run:
         """The straight run at a forward speed [m/s], the file's own if none is given; raises `EquilibriumError`."""

@@ -5,11 +5,13 @@ import pickle
 from collections.abc import Callable
 from functools import cache
 from importlib import import_module
+from pathlib import Path
 from types import FunctionType
 from typing import Any
 
 from eom.program.cache import folder, key, module, replace, straight_lines_in_vectors
-from eom.program.machine import double, integer, intrinsic
+from eom.program.machine import constant, double, integer, intrinsic
+from eom.simulate.memory import PARAMETERS, RESULTS, SCRATCH, STATES, U
 from eom.program.plan import Plan
 
 PACKAGE = "eom"
@@ -27,20 +29,6 @@ NUMBERS = types.CPointer(types.float64)
 @cfunc(types.void(NUMBERS, NUMBERS, NUMBERS, NUMBERS, NUMBERS, types.int64), cache=True)
 def evaluate(state, source, parameters, scratch, results, level):
     program(state, source, parameters, scratch, results, level)
-'''
-
-CALLER = '''"""Compiled by eom; may be removed at any time."""
-
-from numba import njit
-
-from eom.program.compiled import callee
-
-function = callee("{place}", "{function}")
-
-
-@njit(cache=True, nogil=True, error_model="numpy")
-def run({arguments}):
-    return function({arguments})
 '''
 
 WAITING: dict[str, Callable[[], Plan]] = {}
@@ -67,7 +55,6 @@ def kept_plan(signature: str, make: Callable[[], Plan]) -> Plan:
     return plan
 
 
-@cache
 def compiled_program(signature: str, plan: Callable[[], Plan]) -> int:
     """Address of the machine code of a plan; the plan is asked for when it has to be compiled."""
     name = f"program_{key(signature)}"
@@ -81,22 +68,20 @@ def pending(name: str) -> Any:
     return intrinsic(WAITING[name])
 
 
-def callee(place: str, function: str) -> Any:
-    """A function of this package for numba, and all that it calls; programs are called by their address."""
-    return machine_code(getattr(import_module(place), function), {})
-
-
 @cache
 def compiled_function(function: Any) -> Any:
-    """A plain function as machine code that is kept in the cache."""
-    place, name = function.__module__, function.__name__
-    arguments = ", ".join(function.__code__.co_varnames[: function.__code__.co_argcount])
-    file = f"{name}_{key(place, name)}"
-    return module(file, CALLER.format(place=place, function=name, arguments=arguments)).run
+    """A plain function as machine code that is kept in the cache, and with it all that it calls."""
+    path = folder() / f"{function.__name__}_{key(function.__module__, function.__name__)}.py"
+    if not path.exists():
+        replace(path, b"# stands for compiled code; may be removed at any time")
+    return machine_code(function, {}, path)
 
 
-def machine_code(function: Any, made: dict[Any, Any]) -> Any:
-    """A function compiled, with all functions of this package that it calls; *made* holds what is compiled already."""
+def machine_code(function: Any, made: dict[Any, Any], path: Path | None = None) -> Any:
+    """A function compiled, with all functions of this package that it calls.
+
+    *made* holds what is compiled already; numba looks beside the *path* for what it kept.
+    """
     if getattr(function, "calls_program", False):
         return by_address()
     if function not in made:
@@ -105,9 +90,20 @@ def machine_code(function: Any, made: dict[Any, Any]) -> Any:
             value = function.__globals__.get(name)
             if isinstance(value, FunctionType) and value.__module__.startswith(PACKAGE):
                 names[name] = machine_code(value, made)
-        plain = FunctionType(function.__code__, {**function.__globals__, **names}, function.__name__)
-        made[function] = import_module("numba").njit(error_model="numpy")(plain)
+        code = function.__code__ if path is None else function.__code__.replace(co_filename=str(path))
+        plain = FunctionType(code, {**function.__globals__, **names}, function.__name__)
+        njit = import_module("numba").njit
+        made[function] = one_version(njit(cache=path is not None, nogil=True, error_model="numpy")(plain))
     return made[function]
+
+
+def one_version(dispatcher: Any) -> Any:
+    """A compiled function that does not become another one for every constant that it is called with."""
+    unliteral, template = import_module("numba.types").unliteral, dispatcher.get_call_template
+    dispatcher.get_call_template = lambda args, kws: template(
+        tuple(map(unliteral, args)), {name: unliteral(kind) for name, kind in kws.items()}
+    )
+    return dispatcher
 
 
 def loaded(function: Any) -> set[str]:
@@ -117,17 +113,29 @@ def loaded(function: Any) -> set[str]:
 
 @cache
 def by_address() -> Any:
-    """numba's call of a program: its address, five arrays, the level."""
+    """numba's call of a program at an address, see `eom.simulate.steps.evaluate`."""
     extending, types, ir = (import_module(name) for name in ("numba.extending", "numba.types", "llvmlite.ir"))
 
     def code(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        arrays = zip(signature.args[1:6], args[1:6], strict=True)
-        pointers = [context.make_array(kind)(context, builder, item).data for kind, item in arrays]
+        program, at, v, row, work, level = args
+
+        def data(k: int) -> Any:
+            """Pointer to the elements of an array."""
+            return context.make_array(signature.args[k])(context, builder, args[k]).data
+
+        def offset(k: int) -> Any:
+            """An entry of *at*."""
+            place = builder.load(builder.gep(data(1), [constant(integer(), k)], inbounds=True))
+            return builder.gep(data(4), [place], inbounds=True)
+
+        states = builder.load(builder.gep(data(1), [constant(integer(), STATES)], inbounds=True))
+        state = builder.gep(data(2), [builder.mul(row, states)], inbounds=True)
         form = ir.FunctionType(ir.VoidType(), [double().as_pointer()] * 5 + [integer()])
-        builder.call(builder.inttoptr(args[0], form.as_pointer()), [*pointers, args[6]])
+        pointers = [state, *map(offset, (U, PARAMETERS, SCRATCH, RESULTS))]
+        builder.call(builder.inttoptr(program, form.as_pointer()), [*pointers, level])
         return context.get_dummy_value()
 
-    def call(_typing: Any, program: Any, x: Any, u: Any, p: Any, scratch: Any, results: Any, level: Any) -> Any:
-        return types.void(program, x, u, p, scratch, results, level), code
+    def call(_typing: Any, program: Any, at: Any, v: Any, row: Any, work: Any, level: Any) -> Any:
+        return types.void(program, at, v, types.int64, work, types.int64), code
 
     return extending.intrinsic(call)

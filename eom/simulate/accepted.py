@@ -4,9 +4,31 @@ from typing import Any
 
 import numpy as np
 
-from eom.simulate.carried import DONE, EVENTS, FULL, SAMPLES, TERMINAL, Clock, Record
+from eom.simulate.memory import (
+    DONE,
+    EVENT_LIMIT,
+    EVENT_REACHED,
+    EVENT_STATE,
+    EVENT_TIME,
+    EVENTS,
+    FULL,
+    INPUTS,
+    K0,
+    K6,
+    LIMITS,
+    NEW,
+    OUTPUTS,
+    RESULTS,
+    RIGHT,
+    SAMPLES,
+    STATES,
+    TERMINAL,
+    TIME,
+    U,
+    X,
+)
 from eom.simulate.pieces import fill_inputs
-from eom.simulate.steps import Problem, evaluate
+from eom.simulate.steps import evaluate
 
 # E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 1993, section II.6 and code DOPRI5
 DENSE = np.array(
@@ -20,98 +42,152 @@ DENSE = np.array(
         69997945.0 / 29380423.0,
     ]
 )
-LAST = 6
-"""Row of the rates at the end of a step of Dormand and Prince's."""
-EXACT = 1e-10
-"""Share of a step to which an event is located."""
+LOCATED = 1e-10
+"""Share of a step to which an event is found."""
 
 
-def between(share: float, h: float, x: Any, new: Any, k: Any, last: int, result: Any) -> None:
-    """The state at a share of a step: cubic by states and rates at its ends, of order four for Dormand and Prince's."""
+def between(share: float, h: float, last: int, v: Any) -> None:
+    """Set row RIGHT to the state at a share of a step.
+
+    By states and rates at its ends, the latter in row *last*: cubic, or of order four for Dormand and Prince's.
+    """
     rest = 1.0 - share
-    for i in range(len(x)):
-        change = new[i] - x[i]
-        bent = h * k[0, i] - change
-        twisted = change - h * k[last, i] - bent
-        if last == LAST:
+    for i in range(v.shape[1]):
+        change = v[NEW, i] - v[X, i]
+        bent = h * v[K0, i] - change
+        twisted = change - h * v[last, i] - bent
+        if last == K6:
             more = 0.0
-            for j in range(LAST + 1):
-                more += DENSE[j] * k[j, i]
+            for j in range(len(DENSE)):
+                more += DENSE[j] * v[K0 + j, i]
             twisted += rest * h * more
-        result[i] = x[i] + share * (change + rest * (bent + share * twisted))
+        v[RIGHT, i] = v[X, i] + share * (change + rest * (bent + share * twisted))
 
 
-def accept(t: float, h: float, now: float, new: Any, last: int, clock: Clock, record: Record, p: Problem) -> int:
+def accept(
+    program: Any,
+    h: float,
+    now: float,
+    last: int,
+    clock: Any,
+    counts: Any,
+    margins: Any,
+    times: Any,
+    rows: Any,
+    events: Any,
+    terminal: Any,
+    at: Any,
+    v: Any,
+    work: Any,
+    pieces: Any,
+    signals: Any,
+) -> int:
     """Go on to the end of a step, or to where a limit in it ends the run; says which."""
-    n, m = len(clock.x), len(clock.margins)
-    margins, at, status = p.results[n : n + m].copy(), np.empty(n), DONE
-    reach = 1.0
+    t, n, m, reach, status = clock[TIME], at[STATES], at[LIMITS], 1.0, DONE
+    crossed = False
     for i in range(m):
-        if (margins[i] < 0.0) != (clock.margins[i] < 0.0):
-            share = crossing(i, t, h, new, last, margins[i], at, clock, p)
-            if record.terminal[i] and margins[i] < 0.0 and share < reach:
+        margins[1, i] = work[at[RESULTS] + n + i]
+        crossed = crossed or (margins[0, i] < 0.0) != (margins[1, i] < 0.0)
+    if crossed:
+        for i in range(m):
+            if (margins[0, i] < 0.0) == (margins[1, i] < 0.0):
+                continue
+            share = crossing(program, i, t, h, last, margins, at, v, work, pieces, signals)
+            if terminal[i] and margins[1, i] < 0.0 and share < reach:
                 reach, status = share, TERMINAL
-            if clock.counts[EVENTS] == len(record.event_times):
-                # there is none that ends the run without room for it: the caller makes some before every call
+            event = counts[EVENTS]
+            if event == len(events):
                 status = FULL if status == DONE else status
                 continue
-            event = clock.counts[EVENTS]
-            record.event_times[event] = t + share * h
-            record.event_states[event] = at
-            record.events[event, 0], record.events[event, 1] = i, int(margins[i] < 0.0)
-            clock.counts[EVENTS] += 1
+            events[event, EVENT_TIME], events[event, EVENT_LIMIT] = t + share * h, i
+            events[event, EVENT_REACHED] = 1.0 if margins[1, i] < 0.0 else 0.0
+            for j in range(n):
+                events[event, EVENT_STATE + j] = v[RIGHT, j]
+            counts[EVENTS] = event + 1
     end = now if reach == 1.0 else t + reach * h
-    take_samples(t, h, end, new, last, at, clock, record, p)
+    take_samples(program, h, end, last, clock, counts, times, rows, at, v, work, pieces, signals)
     if reach < 1.0:
-        between(reach, h, clock.x, new, clock.k, last, at)
-        clock.x[:] = at
-    else:
-        clock.x[:] = new
-        clock.k[0] = clock.k[last]
-    clock.time[0] = end
-    clock.margins[:] = margins
+        between(reach, h, last, v)
+    for i in range(n):
+        v[X, i] = v[RIGHT, i] if reach < 1.0 else v[NEW, i]
+        v[K0, i] = v[last, i]
+    for i in range(m):
+        margins[0, i] = margins[1, i]
+    clock[TIME] = end
     return status
 
 
 def crossing(
-    i: int, t: float, h: float, new: Any, last: int, margin: float, at: Any, clock: Clock, p: Problem
+    program: Any,
+    i: int,
+    t: float,
+    h: float,
+    last: int,
+    margins: Any,
+    at: Any,
+    v: Any,
+    work: Any,
+    pieces: Any,
+    signals: Any,
 ) -> float:
     """The share of a step at which a margin is zero, by false position with Illinois' weights; sets the state there."""
-    n, lower, upper = len(clock.x), 0.0, 1.0
-    below, above, share = clock.margins[i], margin, 1.0
+    lower, upper, left, right = 0.0, 1.0, margins[0, i], margins[1, i]
     for _ in range(60):
-        if upper - lower <= EXACT:
+        if upper - lower <= LOCATED:
             break
-        share = lower + (upper - lower) * below / (below - above) if below != above else 0.5 * (lower + upper)
-        share = min(max(share, lower + 0.25 * EXACT), upper - 0.25 * EXACT)
-        between(share, h, clock.x, new, clock.k, last, at)
-        fill_inputs(t + share * h, True, p.pieces, p.cursor, p.u)
-        evaluate(p.program, at, p.u, p.parameters, p.scratch, p.results, 1)
-        found = p.results[n + i]
-        if (found < 0.0) == (margin < 0.0):
-            upper, above, below = share, found, 0.5 * below
+        share = lower + (upper - lower) * left / (left - right)
+        share = min(max(share, lower + 0.25 * LOCATED), upper - 0.25 * LOCATED)
+        between(share, h, last, v)
+        fill_inputs(t + share * h, True, at, work, pieces, signals)
+        evaluate(program, at, v, RIGHT, work, 1)
+        found = work[at[RESULTS] + at[STATES] + i]
+        if (found < 0.0) == (margins[1, i] < 0.0):
+            upper, right, left = share, found, 0.5 * left
         else:
-            lower, below, above = share, found, 0.5 * above
+            lower, left, right = share, found, 0.5 * right
         if found == 0.0:
             break
-    between(upper, h, clock.x, new, clock.k, last, at)
+    between(upper, h, last, v)
     return upper
 
 
 def take_samples(
-    t: float, h: float, end: float, new: Any, last: int, at: Any, clock: Clock, record: Record, p: Problem
+    program: Any,
+    h: float,
+    end: float,
+    last: int,
+    clock: Any,
+    counts: Any,
+    times: Any,
+    rows: Any,
+    at: Any,
+    v: Any,
+    work: Any,
+    pieces: Any,
+    signals: Any,
 ) -> None:
-    """Fill in the samples that are due until the end of a step, from (t, clock.x) on."""
-    n, m = len(clock.x), len(clock.margins)
-    while clock.counts[SAMPLES] < len(record.times) and record.times[clock.counts[SAMPLES]] <= end:
-        sample = clock.counts[SAMPLES]
-        instant = record.times[sample]
-        if instant == end and h == 0.0:
-            at[:] = clock.x
+    """Fill in the samples that are due until the end of a step: states, inputs, outputs."""
+    n, inputs = at[STATES], at[INPUTS]
+    while counts[SAMPLES] < len(times) and times[counts[SAMPLES]] <= end:
+        sample = counts[SAMPLES]
+        instant = times[sample]
+        if h > 0.0:
+            between((instant - clock[TIME]) / h, h, last, v)
         else:
-            between((instant - t) / h, h, clock.x, new, clock.k, last, at)
-        fill_inputs(instant, False, p.pieces, p.cursor, p.u)
-        evaluate(p.program, at, p.u, p.parameters, p.scratch, p.results, 2)
-        record.states[sample], record.inputs[sample] = at, p.u
-        record.outputs[sample] = p.results[n + m :]
-        clock.counts[SAMPLES] += 1
+            for i in range(n):
+                v[RIGHT, i] = v[X, i]
+        fill_inputs(instant, False, at, work, pieces, signals)
+        evaluate(program, at, v, RIGHT, work, 2)
+        for i in range(n):
+            rows[sample, i] = v[RIGHT, i]
+        for i in range(inputs):
+            rows[sample, n + i] = work[at[U] + i]
+        for i in range(at[OUTPUTS]):
+            rows[sample, n + inputs + i] = work[at[RESULTS] + n + at[LIMITS] + i]
+        counts[SAMPLES] = sample + 1
+
+
+def look(program: Any, t: float, at: Any, v: Any, work: Any, pieces: Any, signals: Any) -> None:
+    """Set inputs and outputs to those of the state at an instant, after what jumps there."""
+    fill_inputs(t, False, at, work, pieces, signals)
+    evaluate(program, at, v, X, work, 2)

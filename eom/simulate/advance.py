@@ -1,33 +1,43 @@
-"""A run from one instant to another, for a compiler, and for Python without one."""
+"""A run from one instant to another, in loops for a compiler."""
 
 from typing import Any
 
 import numpy as np
 
 from eom.simulate.accepted import accept, take_samples
-from eom.simulate.carried import (
+from eom.simulate.memory import (
+    AGE,
     AUTOMATIC,
     COLLAPSED,
     DIVERGED,
     DONE,
     DORMAND_PRINCE,
+    ERROR,
+    FACTORED,
     INACCURATE,
+    K0,
+    LARGEST,
+    LIMITS,
+    LOOKED,
+    METHOD,
+    METHOD_NOW,
+    REJECTED,
+    RESULTS,
+    ROOT,
     ROSENBROCK,
     RUNGE_KUTTA,
-    STEPS_REJECTED,
+    STATES,
+    STEP,
+    TIME,
+    TOLERANCE,
     UNSTABLE,
-    Clock,
-    Implicit,
-    Record,
-    Settings,
-    size_of,
+    X,
 )
-from eom.simulate.pieces import fill_inputs
-from eom.simulate.steps import GAMMA, Problem, dormand_prince, evaluate, rosenbrock, runge_kutta
-from eom.simulate.stiffness import fastest, prepared, refresh
+from eom.simulate.steps import dormand_prince, rates, rosenbrock, runge_kutta
+from eom.simulate.stiffness import differentiate, drift, factorise, fastest, size_of
 
-STABLE = 2.5
-"""Largest product of step and fastest root; both explicit methods are stable a little beyond."""
+STABLE_4, STABLE_5 = 2.5, 3.1
+"""Largest product of step and fastest root; the classical method is stable up to 2.78, Dormand and Prince's to 3.31."""
 STIFF, CALM = 600.0, 400.0
 """Fastest roots [1/s] from which on the implicit method takes over, and below which the explicit one does again."""
 LOOK = 0.02
@@ -36,60 +46,95 @@ SMALLEST = 1e-9
 """A step [s] that is smaller follows no motion of a vehicle."""
 GUARD = 1e4
 """A fixed step may make this many times the error that the other methods are allowed."""
-SAFETY, SHRINK, GROW = 0.9, 0.2, 5.0
-ORDER_5, ORDER_3 = 1.0 / 5.0, 1.0 / 3.0
+SAFETY, SHRINK, GROW, SAME = 0.9, 0.2, 5.0, 1.2
+KEPT = 6
+"""Steps for which a Jacobian is kept: the method's order does not depend on it, its error does."""
 
 
-def start(clock: Clock, p: Problem) -> None:
-    """Rates and margins at the instant from which to go on."""
-    n = len(clock.x)
-    fill_inputs(clock.time[0], False, p.pieces, p.cursor, p.u)
-    evaluate(p.program, clock.x, p.u, p.parameters, p.scratch, p.results, 1)
-    clock.k[0] = p.results[:n]
-    clock.margins[:] = p.results[n : n + len(clock.margins)]
+def advance(
+    program: Any,
+    until: float,
+    settings: Any,
+    clock: Any,
+    counts: Any,
+    margins: Any,
+    times: Any,
+    rows: Any,
+    events: Any,
+    terminal: Any,
+    at: Any,
+    v: Any,
+    work: Any,
+    pieces: Any,
+    signals: Any,
+    stops: Any,
+    jacobian: Any,
+    factors: Any,
+    pivots: Any,
+) -> int:
+    """Go on until an instant [s], or until something ends the run; says which, see `eom.simulate.memory`.
 
-
-def advance(until: float, clock: Clock, record: Record, settings: Settings, p: Problem) -> int:
-    """Go on until an instant [s], or until something ends the run; says which by the constants of `carried`."""
-    new, error, spare = np.empty_like(clock.x), np.empty_like(clock.x), np.empty_like(clock.x)
-    implicit, stops = prepared(len(clock.x)), p.pieces.stops
-    stop = np.searchsorted(stops, clock.time[0], side="right")
-    start(clock, p)
-    take_samples(clock.time[0], 0.0, clock.time[0], new, 0, spare, clock, record, p)
-    method = DORMAND_PRINCE if settings.method == AUTOMATIC else settings.method
-    while clock.time[0] < until:
-        t = clock.time[0]
-        if clock.time[2] == 0.0 or t >= clock.time[3] + LOOK or t + clock.time[1] > clock.time[3] + LOOK:
-            clock.time[2], clock.time[3] = fastest(t, clock, settings, p, spare), t
-        if settings.method == AUTOMATIC:
-            method = chosen_method(method, clock.time[2])
+    *times* are instants of samples, *stops* those at which an input or its slope jumps, where steps end.
+    """
+    stop = np.searchsorted(stops, clock[TIME], side="right")
+    start(program, clock[TIME], margins, at, v, work, pieces, signals)
+    take_samples(program, 0.0, clock[TIME], 0, clock, counts, times, rows, at, v, work, pieces, signals)
+    method = int(clock[METHOD_NOW] if settings[METHOD] == AUTOMATIC else settings[METHOD])
+    while clock[TIME] < until:
+        t = clock[TIME]
+        if clock[ROOT] == 0.0 or max(t, t + min(clock[STEP], LOOK)) > clock[LOOKED] + LOOK:
+            clock[ROOT], clock[LOOKED] = fastest(program, t, clock, at, v, work, pieces, signals), t
+        if settings[METHOD] == AUTOMATIC:
+            method = chosen_method(method, clock[ROOT])
+            clock[METHOD_NOW] = method
         end = min(until, stops[stop]) if stop < len(stops) else until
         h = chosen_step(end - t, method, clock, settings)
-        if method == RUNGE_KUTTA and h * clock.time[2] > STABLE:
-            return UNSTABLE
-        last = step(method, t, h, new, error, clock, implicit, settings, p)
-        wrong = size_of(error, clock.x, settings) / settings.tolerance
+        if method == RUNGE_KUTTA:
+            if h * clock[ROOT] > STABLE_4:
+                return UNSTABLE
+            last = runge_kutta(program, t, h, at, v, work, pieces, signals)
+        elif method == DORMAND_PRINCE:
+            last = dormand_prince(program, t, h, at, v, work, pieces, signals)
+        else:
+            if clock[AGE] >= KEPT:
+                differentiate(program, t, jacobian, at, v, work, pieces, signals)
+                clock[AGE] = clock[FACTORED] = 0.0
+            if clock[FACTORED] != h:
+                factorise(h, jacobian, factors, pivots)
+                clock[FACTORED] = h
+            drift(program, t, h, at, v, work, pieces, signals)
+            last = rosenbrock(program, t, h, jacobian, factors, pivots, at, v, work, pieces, signals)
+            clock[AGE] += 1.0
+        wrong = size_of(ERROR, v) / settings[TOLERANCE]
         if not wrong <= (GUARD if method == RUNGE_KUTTA else 1.0):
             if method == RUNGE_KUTTA:
                 return INACCURATE if np.isfinite(wrong) else DIVERGED
-            clock.counts[STEPS_REJECTED] += 1
-            clock.time[1] = h * smaller(wrong, method)
-            implicit.age[1] = np.inf if implicit.age[1] > 1.0 else 0.0
-            if clock.time[1] < SMALLEST:
+            counts[REJECTED] += 1
+            clock[STEP] = h * smaller(wrong, method)
+            clock[AGE] = KEPT if clock[AGE] > 1.0 else 0.0
+            if clock[STEP] < SMALLEST:
                 return COLLAPSED if np.isfinite(wrong) else DIVERGED
             continue
-        clock.counts[method] += 1
+        counts[method] += 1
         now = end if h == end - t else t + h
-        status = accept(t, h, now, new, last, clock, record, p)
+        status = accept(
+            program, h, now, last, clock, counts, margins, times, rows, events, terminal, at, v, work, pieces, signals
+        )
         if status != DONE:
             return status
-        whole = h >= clock.time[1] * (1.0 - 1e-9)
-        clock.time[1] = h * larger(wrong, method) if whole else max(h * larger(wrong, method), clock.time[1])
+        clock[STEP] = following_step(h, wrong, method, clock[STEP])
         if now == end and end < until:
             stop += 1
-            implicit.age[2] = 0.0
-            start(clock, p)
+            clock[AGE] = KEPT
+            start(program, now, margins, at, v, work, pieces, signals)
     return DONE
+
+
+def start(program: Any, t: float, margins: Any, at: Any, v: Any, work: Any, pieces: Any, signals: Any) -> None:
+    """Rates and margins at an instant from which to go on."""
+    rates(program, t, False, X, 1, K0, at, v, work, pieces, signals)
+    for i in range(at[LIMITS]):
+        margins[0, i] = work[at[RESULTS] + at[STATES] + i]
 
 
 def chosen_method(method: int, root: float) -> int:
@@ -101,47 +146,30 @@ def chosen_method(method: int, root: float) -> int:
     return method
 
 
-def chosen_step(left: float, method: int, clock: Clock, settings: Settings) -> float:
+def chosen_step(left: float, method: int, clock: Any, settings: Any) -> float:
     """The next step, in equal parts of what is left if that are few."""
-    h = settings.step
+    h = settings[LARGEST]
     if method != RUNGE_KUTTA:
-        h = min(h, clock.time[1])
+        h = min(h, clock[STEP])
     if method == DORMAND_PRINCE:
-        h = min(h, STABLE / max(clock.time[2], 1e-9))
+        h = min(h, STABLE_5 / max(clock[ROOT], SMALLEST))
     parts = np.ceil(left / h * (1.0 - 1e-9))
     return float(left / max(parts, 1.0)) if method == RUNGE_KUTTA or parts <= 2.0 else h
 
 
+def power(method: int) -> float:
+    """How the step follows from the error."""
+    return 1.0 / 5.0 if method == DORMAND_PRINCE else 1.0 / 3.0
+
+
 def smaller(wrong: float, method: int) -> float:
     """By what to shorten a step of too large an error."""
-    if not np.isfinite(wrong):
-        return 0.1
-    return max(SHRINK, SAFETY * wrong ** -(ORDER_5 if method == DORMAND_PRINCE else ORDER_3))
+    return max(SHRINK, SAFETY * wrong ** -power(method)) if np.isfinite(wrong) else 0.1
 
 
-def larger(wrong: float, method: int) -> float:
-    """What step comes next, over the last one."""
-    return min(GROW, SAFETY * max(wrong, 1e-6) ** -(ORDER_5 if method == DORMAND_PRINCE else ORDER_3))
-
-
-def step(
-    method: int,
-    t: float,
-    h: float,
-    new: Any,
-    error: Any,
-    clock: Clock,
-    implicit: Implicit,
-    settings: Settings,
-    p: Problem,
-) -> int:
-    """One step by a method; the row of the rates at its end."""
-    if method == RUNGE_KUTTA:
-        runge_kutta(t, h, clock.x, clock.k, new, error, p)
-        return 4
-    if method == DORMAND_PRINCE:
-        dormand_prince(t, h, clock.x, clock.k, new, error, p)
-        return 6
-    refresh(t, h, GAMMA, clock, implicit, settings, p)
-    rosenbrock(t, h, clock.x, clock.k, new, error, implicit, p)
-    return 4
+def following_step(h: float, wrong: float, method: int, planned: float) -> float:
+    """What step comes next; one that was cut short says little."""
+    factor = min(GROW, SAFETY * max(wrong, 1e-6) ** -power(method))
+    if method == ROSENBROCK and 1.0 <= factor < SAME:
+        factor = 1.0
+    return h * factor if h >= planned * (1.0 - 1e-9) else max(h * factor, planned)

@@ -1,5 +1,6 @@
 """Inputs over time, as a run is told them."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from eom.assembly.vectors import Array
@@ -24,7 +25,7 @@ class Sine:
 
 @dataclass(frozen=True)
 class Table:
-    """Values at instants [s], straight lines between; both (n,)."""
+    """Values at instants [s], straight lines between; both (n,). It holds between the first and the last one."""
 
     time: Array
     value: Array
@@ -36,3 +37,7 @@ class Steps:
 
     time: Array
     value: Array
+
+
+Input = Constant | Sine | Table | Steps | Callable[[float], float] | float
+"""How an input changes over time: one of the above, a function of time [s], or a constant."""

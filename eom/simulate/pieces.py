@@ -1,56 +1,26 @@
-"""Inputs as polynomials piece by piece: one form for every input, that compiled loops evaluate.
+"""Inputs as polynomials piece by piece: one form of every input, which compiled loops evaluate."""
 
-Joints where an input or its slope jumps are stops, at which steps end.
-"""
+from typing import Any
 
-from typing import Any, NamedTuple
-
-import numpy as np
-from numpy.typing import NDArray
-
-from eom.assembly.vectors import Array
+from eom.simulate.memory import U
 
 DEGREE = 7
-"""Of the polynomials."""
+"""Of the polynomials. A row of *pieces* holds the instant [s] where one begins and its coefficients, lowest power
+first, by the time since then; the first piece of a signal also stands for the time before."""
+INPUT, FIRST, LAST, CURSOR = range(4)
+"""Columns of *signals*: the input that one sets, its first and last piece, the one that was used last."""
 
 
-class Pieces(NamedTuple):
-    """Inputs over time.
-
-    Attributes
-    ----------
-    base : Array
-        What every input is where nothing else is said, (inputs,).
-    index : NDArray
-        Which input each signal sets, (signals,).
-    first : NDArray
-        Where the pieces of each signal begin, and the last one's end, (signals + 1,).
-    knots : Array
-        Where each piece begins [s]; the first one of a signal also stands for the time before.
-    coefficients : Array
-        By powers of the time since then, (pieces, DEGREE + 1).
-    stops : Array
-        Instants [s] at which an input or its slope jumps, in order.
-    """
-
-    base: Array
-    index: NDArray[np.int64]
-    first: NDArray[np.int64]
-    knots: Array
-    coefficients: Array
-    stops: Array
-
-
-def fill_inputs(t: float, before: bool, pieces: Pieces, cursor: Any, u: Any) -> None:
+def fill_inputs(t: float, before: bool, at: Any, work: Any, pieces: Any, signals: Any) -> None:
     """Set the inputs at an instant; at a joint to what they are *before* it, or after it."""
-    for k in range(len(pieces.index)):
-        at, first, last = cursor[k], pieces.first[k], pieces.first[k + 1] - 1
-        while at < last and (pieces.knots[at + 1] < t or (pieces.knots[at + 1] == t and not before)):
-            at += 1
-        while at > first and (pieces.knots[at] > t or (pieces.knots[at] == t and before)):
-            at -= 1
-        cursor[k] = at
-        since, value = t - pieces.knots[at], 0.0
+    for k in range(len(signals)):
+        piece, first, last = signals[k, CURSOR], signals[k, FIRST], signals[k, LAST]
+        while piece < last and (pieces[piece + 1, 0] < t or (pieces[piece + 1, 0] == t and not before)):
+            piece += 1
+        while piece > first and (pieces[piece, 0] > t or (pieces[piece, 0] == t and before)):
+            piece -= 1
+        signals[k, CURSOR] = piece
+        since, value = t - pieces[piece, 0], 0.0
         for power in range(DEGREE, -1, -1):
-            value = value * since + pieces.coefficients[at, power]
-        u[pieces.index[k]] = value
+            value = value * since + pieces[piece, 1 + power]
+        work[at[U] + signals[k, INPUT]] = value

@@ -1,71 +1,51 @@
-"""One step of each integrator: numbers in, numbers out; for a compiler, and for Python without one.
+"""One step of each integrator, in loops for a compiler.
 
-Every step takes the state x and its rates f at t, and gives state, rates and an estimate of its error at t + h.
+Every step starts with the state in row X of *v* and its rates in K0. It leaves state, error and rates at its end.
 """
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
-from eom.simulate.carried import Implicit
-from eom.simulate.pieces import Pieces, fill_inputs
+from eom.simulate.memory import DRIFT, ERROR, K0, K1, K2, K3, K4, K6, NEW, RESULTS, RIGHT, V0, X
+from eom.simulate.pieces import fill_inputs
 
 
-class Problem(NamedTuple):
-    """A model in numbers, the memory that it works in, and its inputs; ``program`` is what `evaluate` calls.
+def evaluate(program: Any, at: Any, v: Any, row: int, work: Any, level: int) -> None:
+    """Fill the results for the state in a row: of level 0 rates, 1 margins too, 2 outputs too."""
+    program(at, v, row, work, level)
 
-    Attributes
-    ----------
-    program : object
-        Address of compiled code, or a function.
-    parameters, scratch, results : Array
-        What it takes, and what it fills: rates of states, then margins, then outputs.
-    pieces : Pieces
-    cursor : NDArray
-        Where each signal was looked up last.
-    u : Array
-        Inputs, set at each evaluation.
+
+evaluate.calls_program = True  # type: ignore[attr-defined]  compiled code calls by address instead
+
+
+def rates(
+    program: Any, t: float, before: bool, row: int, level: int, k: int, at: Any, v: Any, work: Any, pieces: Any, signals: Any
+) -> None:
+    """Set row *k* to the rates of the state in a row at t."""
+    fill_inputs(t, before, at, work, pieces, signals)
+    evaluate(program, at, v, row, work, level)
+    for i in range(v.shape[1]):
+        v[k, i] = work[at[RESULTS] + i]
+
+
+def runge_kutta(program: Any, t: float, h: float, at: Any, v: Any, work: Any, pieces: Any, signals: Any) -> int:
+    """The classical method of order four; returns the row of the rates at t + h.
+
+    The error is that of the method of order three that takes these rates for its last stage: larger than the one made.
     """
-
-    program: Any
-    parameters: Any
-    scratch: Any
-    results: Any
-    pieces: Pieces
-    cursor: Any
-    u: Any
-
-
-def evaluate(program: Any, x: Any, u: Any, parameters: Any, scratch: Any, results: Any, level: int) -> None:
-    """Fill the results up to a level: 0 rates, 1 margins too, 2 outputs too. Compiled code calls by address."""
-    program(x, u, parameters, scratch, results, level)
-
-
-evaluate.calls_program = True  # type: ignore[attr-defined]
-
-
-def rates_into(f: Any, t: float, before: bool, x: Any, level: int, p: Problem) -> None:
-    """Set f to the rates of x at t."""
-    fill_inputs(t, before, p.pieces, p.cursor, p.u)
-    evaluate(p.program, x, p.u, p.parameters, p.scratch, p.results, level)
-    f[:] = p.results[: len(f)]
-
-
-def runge_kutta(t: float, h: float, x: Any, k: Any, new: Any, error: Any, p: Problem) -> None:
-    """The classical method of order four; k is (stages, n), k[0] the rates at t, k[4] gets those at t + h.
-
-    The error is that of the method of order three which takes k[4] for k[3]: larger than the one made.
-    """
-    stage = new
-    stage[:] = x + 0.5 * h * k[0]
-    rates_into(k[1], t + 0.5 * h, True, stage, 0, p)
-    stage[:] = x + 0.5 * h * k[1]
-    rates_into(k[2], t + 0.5 * h, True, stage, 0, p)
-    stage[:] = x + h * k[2]
-    rates_into(k[3], t + h, True, stage, 0, p)
-    new[:] = x + h / 6.0 * (k[0] + 2.0 * (k[1] + k[2]) + k[3])
-    rates_into(k[4], t + h, True, new, 1, p)
-    error[:] = h / 6.0 * (k[3] - k[4])
+    n = v.shape[1]
+    for stage in range(1, 4):
+        step = h if stage == 3 else 0.5 * h
+        for i in range(n):
+            v[NEW, i] = v[X, i] + step * v[K0 + stage - 1, i]
+        rates(program, t + step, True, NEW, 0, K0 + stage, at, v, work, pieces, signals)
+    for i in range(n):
+        v[NEW, i] = v[X, i] + h / 6.0 * (v[K0, i] + 2.0 * (v[K1, i] + v[K2, i]) + v[K3, i])
+    rates(program, t + h, True, NEW, 1, K4, at, v, work, pieces, signals)
+    for i in range(n):
+        v[ERROR, i] = h / 6.0 * (v[K3, i] - v[K4, i])
+    return K4
 
 
 # J. R. Dormand, P. J. Prince, J. Comput. Appl. Math. 6 (1980) 19-26, table 2
@@ -82,30 +62,27 @@ STAGES = np.array(
     ]
 )
 DEFECT = np.array(
-    [
-        71.0 / 57600.0,
-        0.0,
-        -71.0 / 16695.0,
-        71.0 / 1920.0,
-        -17253.0 / 339200.0,
-        22.0 / 525.0,
-        -1.0 / 40.0,
-    ]
+    [71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339200.0, 22.0 / 525.0, -1.0 / 40.0]
 )
 
 
-def dormand_prince(t: float, h: float, x: Any, k: Any, new: Any, error: Any, p: Problem) -> None:
-    """Order five with an error of order four; k is (stages, n), k[0] the rates at t, k[6] gets those at t + h."""
+def dormand_prince(program: Any, t: float, h: float, at: Any, v: Any, work: Any, pieces: Any, signals: Any) -> int:
+    """Order five with an error of order four; returns the row of the rates at t + h."""
+    n = v.shape[1]
     for stage in range(1, 7):
-        new[:] = x
-        for j in range(stage):
-            if STAGES[stage, j] != 0.0:
-                new += h * STAGES[stage, j] * k[j]
-        rates_into(k[stage], t + NODES[stage] * h, True, new, 1 if stage == 6 else 0, p)
-    error[:] = 0.0
-    for j in range(7):
-        if DEFECT[j] != 0.0:
-            error += h * DEFECT[j] * k[j]
+        for i in range(n):
+            total = 0.0
+            for j in range(stage):
+                total += STAGES[stage, j] * v[K0 + j, i]
+            v[NEW, i] = v[X, i] + h * total
+        level = 1 if stage == 6 else 0
+        rates(program, t + NODES[stage] * h, True, NEW, level, K0 + stage, at, v, work, pieces, signals)
+    for i in range(n):
+        total = 0.0
+        for j in range(7):
+            total += DEFECT[j] * v[K0 + j, i]
+        v[ERROR, i] = h * total
+    return K6
 
 
 # ROS34PW2 of J. Rang, L. Angermann, BIT 45 (2005) 761-787: order three whatever the Jacobian, stiffly accurate
@@ -130,72 +107,67 @@ WEIGHTS = np.array([2.4212380706095346e-01, -1.2232505839045147e00, 1.5452602553
 EMBEDDED = np.array([3.7810903145819369e-01, -9.6042292212423178e-02, 0.5, 2.1793326075422950e-01])
 
 
-def rosenbrock(t: float, h: float, x: Any, k: Any, new: Any, error: Any, implicit: Implicit, p: Problem) -> None:
-    """Order three with an error of order two; *implicit* are the factors of 1/(h gamma) - J, drift df/dt and memory.
+def rosenbrock(
+    program: Any,
+    t: float,
+    h: float,
+    jacobian: Any,
+    factors: Any,
+    pivots: Any,
+    at: Any,
+    v: Any,
+    work: Any,
+    pieces: Any,
+    signals: Any,
+) -> int:
+    """Order three with an error of order two; *factors* are those of 1/(h gamma) - J. Returns the row of rates at t + h.
 
-    k is (stages, n), k[0] the rates at t, k[4] gets those at t + h. Each stage solves
+    Each stage solves
     (1/(h gamma) - J) gamma v_i = f(t + alpha_i h, x + sum alpha_ij v_j) + J sum gamma_ij v_j + h gamma_i df/dt.
     """
-    factors, pivots, jacobian = implicit.factors, implicit.pivots, implicit.jacobian
-    drift, v, right = implicit.drift, implicit.v, implicit.right
+    n = v.shape[1]
     for stage in range(4):
-        new[:] = x
-        right[:] = 0.0
-        at, slope = 0.0, GAMMA
+        later, slope, k = 0.0, GAMMA, K0
         for j in range(stage):
-            new += ALPHA[stage, j] * v[j]
-            right += GAMMAS[stage, j] * v[j]
-            at += ALPHA[stage, j]
+            later += ALPHA[stage, j]
             slope += GAMMAS[stage, j]
-        if stage == 0:
-            k[1] = k[0]
-        else:
-            rates_into(k[1], t + at * h, True, new, 0, p)
-        right[:] = k[1] + product(jacobian, right) + slope * h * drift
-        solve_factored(factors, pivots, right)
-        v[stage] = right / GAMMA
-    new[:] = x
-    error[:] = 0.0
-    for j in range(4):
-        new += WEIGHTS[j] * v[j]
-        error += (WEIGHTS[j] - EMBEDDED[j]) * v[j]
-    rates_into(k[4], t + h, True, new, 1, p)
+        if stage > 0:
+            for i in range(n):
+                v[NEW, i] = v[X, i]
+                v[RIGHT, i] = 0.0
+                for j in range(stage):
+                    v[NEW, i] += ALPHA[stage, j] * v[V0 + j, i]
+                    v[RIGHT, i] += GAMMAS[stage, j] * v[V0 + j, i]
+            k = K1
+            rates(program, t + later * h, True, NEW, 0, k, at, v, work, pieces, signals)
+        for i in range(n):
+            total = v[k, i] + h * slope * v[DRIFT, i]
+            if stage > 0:
+                for j in range(n):
+                    total += jacobian[i, j] * v[RIGHT, j]
+            v[V0 + stage, i] = total / GAMMA
+        solve(factors, pivots, v, V0 + stage)
+    for i in range(n):
+        v[NEW, i], v[ERROR, i] = v[X, i], 0.0
+        for j in range(4):
+            v[NEW, i] += WEIGHTS[j] * v[V0 + j, i]
+            v[ERROR, i] += (WEIGHTS[j] - EMBEDDED[j]) * v[V0 + j, i]
+    rates(program, t + h, True, NEW, 1, K4, at, v, work, pieces, signals)
+    return K4
 
 
-def product(matrix: Any, vector: Any) -> Any:
-    """A matrix times a vector."""
-    result = np.zeros(len(vector))
-    for j in range(len(vector)):
-        if vector[j] != 0.0:
-            result += vector[j] * matrix[:, j]
-    return result
-
-
-def factor(matrix: Any, pivots: Any) -> None:
-    """Turn a matrix into its triangular factors, rows exchanged as *pivots* say."""
-    n = len(matrix)
+def solve(factors: Any, pivots: Any, v: Any, row: int) -> None:
+    """Replace a row by the solution of the system of which it is the right side."""
+    n = v.shape[1]
     for j in range(n):
-        best = j
-        for i in range(j + 1, n):
-            if abs(matrix[i, j]) > abs(matrix[best, j]):
-                best = i
-        pivots[j] = best
-        if best != j:
-            for column in range(n):
-                matrix[j, column], matrix[best, column] = matrix[best, column], matrix[j, column]
-        for i in range(j + 1, n):
-            if matrix[i, j] != 0.0:
-                matrix[i, j] /= matrix[j, j]
-                matrix[i, j + 1 :] -= matrix[i, j] * matrix[j, j + 1 :]
-
-
-def solve_factored(factors: Any, pivots: Any, right: Any) -> None:
-    """Replace a right side by the solution."""
-    n = len(right)
-    for j in range(n):
-        right[j], right[pivots[j]] = right[pivots[j]], right[j]
-    for j in range(n):
-        right[j + 1 :] -= right[j] * factors[j + 1 :, j]
-    for j in range(n - 1, -1, -1):
-        right[j] /= factors[j, j]
-        right[:j] -= right[j] * factors[:j, j]
+        v[row, j], v[row, pivots[j]] = v[row, pivots[j]], v[row, j]
+    for i in range(n):
+        total = v[row, i]
+        for j in range(i):
+            total -= factors[i, j] * v[row, j]
+        v[row, i] = total
+    for i in range(n - 1, -1, -1):
+        total = v[row, i]
+        for j in range(i + 1, n):
+            total -= factors[i, j] * v[row, j]
+        v[row, i] = total / factors[i, i]

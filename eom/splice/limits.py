@@ -25,12 +25,22 @@ LOCKED = 0.05
 """Share of the forward speed that is left to the tread of a wheel that locks."""
 
 
+FOLDED, OVERTURNED = np.radians(60.0), np.radians(30.0)
+"""Articulation and roll [rad] beyond which the model means nothing any more."""
+STANDING = 0.1
+"""Forward speed [m/s] of a vehicle that stands: there brakes fade."""
+
+
 class Limit(NamedTuple):
-    """Something to watch: it happens when its margin becomes negative. ``kind`` names it, ``owner`` the object."""
+    """Something to watch: it happens when its margin becomes negative.
+
+    ``kind`` names it, ``owner`` the object; ``ends`` tells that a run means nothing beyond it.
+    """
 
     kind: str
     owner: str
     sentence: str
+    ends: bool = False
 
 
 def limits(system: System) -> tuple[Limit, ...]:
@@ -45,6 +55,13 @@ def limits(system: System) -> tuple[Limit, ...]:
     found += [
         Limit("roll", body.name, "its roll exceeds 10 deg, where roll is not small any more") for body in system.bodies
     ]
+    found += [
+        Limit("jackknife", name, "its articulation exceeds 60 deg: it has folded up", ends=True) for name in towed
+    ]
+    found += [
+        Limit("rollover", body.name, "its roll exceeds 30 deg: it has rolled over", ends=True) for body in system.bodies
+    ]
+    found += [Limit("standstill", units[0].name, "it stands still")]
     found += [Limit("lift", wheel.name, "it lifts off the road and carries nothing") for wheel in system.wheels]
     found += [
         Limit("lock", wheel.name, "it locks: its tread moves at less than 5 % of its forward speed")
@@ -83,6 +100,9 @@ def all_margins(evaluation: Evaluation, p: Model, s: Signals) -> Any:
         SMALL_ARTICULATION - np.abs(angle),
         JACKKNIFE - rate * angle / np.sqrt(angle * angle + STRAIGHT * STRAIGHT),
         SMALL_ROLL - np.abs(at.displaced[3::6]),
+        FOLDED - np.abs(angle),
+        OVERTURNED - np.abs(at.displaced[3::6]),
+        np.abs(at.local[:1]) - STANDING,
         free,
         tread,
         (found.load - np.abs(found.forces[0]))[c.passing],

@@ -20,7 +20,11 @@ def evaluate(x: Any, u: Any, p: Model) -> Evaluation:
 
 def rates(x: Any, u: Any, p: Model) -> Any:
     """dx/dt at a state x under inputs u."""
-    every = evaluate(x, u, p)
+    return rates_of(evaluate(x, u, p), u, p)
+
+
+def rates_of(every: Evaluation, u: Any, p: Model) -> Any:
+    """dx/dt of what a state and inputs mean."""
     state, at, slip, found = every.state, every.motion, every.rolling, every.balance
     c, control = p.contact, p.control
     yaw = state.frame[2]

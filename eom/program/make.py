@@ -1,0 +1,69 @@
+"""From equations to something to call: machine code where there is a compiler, plain Python elsewhere."""
+
+import functools
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from eom.assembly.vectors import Array
+from eom.program.compiled import compiled_program, installed, kept_plan
+from eom.program.numbers import Numbers, gathered
+from eom.program.plain import program_of_numbers
+from eom.program.plan import Plan, planned, traced
+
+
+@dataclass(frozen=True)
+class Program:
+    """Equations ready to be called for cases with the same structure.
+
+    Attributes
+    ----------
+    plan : Plan
+    signature : str
+        Of the structure: programs with the same one are the same.
+    """
+
+    plan: Plan
+    signature: str
+
+    @functools.cached_property
+    def address(self) -> int:
+        """Of its machine code, which is compiled if it never was."""
+        return compiled_program(self.signature, lambda: self.plan)
+
+    def plain(self, parameters: Array) -> Callable[[Any, Any, int], list[Any]]:
+        """The same in plain Python, for the parameters of one case, (parameters,)."""
+        return program_of_numbers(self.plan, parameters)
+
+
+class Ready(NamedTuple):
+    """A program with the parameters of one case, (parameters,)."""
+
+    program: Program
+    parameters: Array
+
+
+def ready(function: Callable[..., Any], numbers: Any, states: int, inputs: int) -> Ready:
+    """``function(x, u, numbers)`` as a program, ready for one case."""
+    found = gathered([numbers])
+    made = program(function, found, states, inputs)
+    return Ready(made, np.ascontiguousarray(made.plan.parameter_values(found)[:, 0]))
+
+
+MADE: dict[str, Program] = {}
+"""Programs of this process."""
+
+
+def program(function: Callable[..., Any], numbers: Numbers, states: int, inputs: int) -> Program:
+    """The program of ``function(x, u, numbers)``, from the cache if there is one."""
+    signature = f"{function.__module__}.{function.__qualname__} {states} {inputs} {numbers.signature}"
+
+    def make() -> Plan:
+        """Write the equations down."""
+        return planned(*traced(function, numbers, states, inputs))
+
+    if signature not in MADE:
+        MADE[signature] = Program(kept_plan(signature, make) if installed() else make(), signature)
+    return MADE[signature]

@@ -1,0 +1,160 @@
+"""One run in numbers: memory, inputs, and the loops that go on in it, compiled where there is a compiler."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from eom.assembly.vectors import Array
+from eom.program.compiled import compiled_function, installed
+from eom.program.make import Program
+from eom.simulate import memory as of
+from eom.simulate.accepted import look
+from eom.simulate.advance import KEPT, advance
+from eom.simulate.equations import Equations
+from eom.simulate.signal_pieces import Driven
+
+FIRST_STEP = 1e-3
+"""Step [s] with which adaptive methods begin."""
+ROOM = 256
+"""Events for which there is room before the loops stop to make more."""
+
+
+@dataclass
+class Engine:
+    """A run that goes on; arrays as in `eom.simulate.memory` and `eom.simulate.advance`."""
+
+    call: Any
+    advance: Callable[..., int]
+    look: Callable[..., None]
+    settings: Array
+    clock: Array
+    counts: Any
+    margins: Array
+    times: Array
+    rows: Array
+    events: list[Array]
+    terminal: Any
+    at: Any
+    v: Array
+    work: Array
+    driven: Driven
+    implicit: tuple[Any, Any, Any]
+
+    @property
+    def time(self) -> float:
+        """The instant that was reached [s]."""
+        return float(self.clock[of.TIME])
+
+    @property
+    def outputs(self) -> Array:
+        """Outputs at the last `observe`."""
+        begin = int(self.at[of.RESULTS] + self.at[of.STATES] + self.at[of.LIMITS])
+        return self.work[begin : begin + int(self.at[of.OUTPUTS])]
+
+    @property
+    def inputs(self) -> Array:
+        """Inputs, which may be set where no signal sets them."""
+        return self.work[int(self.at[of.U]) : int(self.at[of.U] + self.at[of.INPUTS])]
+
+    @property
+    def state(self) -> Array:
+        """The state."""
+        return self.v[of.X]
+
+    def observe(self) -> None:
+        """Set inputs and outputs to those at the instant, after jumps of the signals."""
+        driven = self.driven
+        self.look(self.call, self.time, self.at, self.v, self.work, driven.pieces, driven.signals)
+
+    def go_on(self, until: float) -> int:
+        """Go on to an instant; says how it ended."""
+        while True:
+            room = np.zeros((ROOM, of.EVENT_STATE + len(self.state)))
+            self.counts[of.EVENTS] = 0
+            driven = self.driven
+            status = self.advance(
+                self.call,
+                until,
+                self.settings,
+                self.clock,
+                self.counts,
+                self.margins,
+                self.times,
+                self.rows,
+                room,
+                self.terminal,
+                self.at,
+                self.v,
+                self.work,
+                driven.pieces,
+                driven.signals,
+                driven.stops,
+                *self.implicit,
+            )
+            if self.counts[of.EVENTS]:
+                self.events.append(room[: self.counts[of.EVENTS]].copy())
+            if status != of.FULL:
+                return status
+
+
+def engine(
+    equations: Equations,
+    x: Array,
+    driven: Driven,
+    times: Array,
+    settings: tuple[int, float, float],
+) -> Engine:
+    """A run that is about to start at zero in a state, with samples at some *times* [s]."""
+    program, parameters = equations.ready
+    n, limits, outputs = (len(group) for group in program.plan.roots)
+    inputs = len(driven.base)
+    places = np.cumsum([0, inputs, len(parameters), program.plan.scratch])
+    at = np.array([n, limits, inputs, outputs, *places], dtype=np.int64)
+    work = np.ones(int(places[-1]) + n + limits + outputs)
+    work[:inputs] = driven.base
+    work[inputs : inputs + len(parameters)] = parameters
+    v = np.zeros((of.VECTORS, n))
+    v[of.X], v[of.SIZE], v[of.GROWING] = x, equations.size, equations.growing
+    # any direction that has a share of all motions
+    v[of.DIRECTION] = equations.size * np.cos(np.arange(n) ** 2)
+    clock = np.zeros(of.CLOCK)
+    clock[of.STEP], clock[of.AGE], clock[of.METHOD_NOW] = min(FIRST_STEP, settings[1]), KEPT, of.DORMAND_PRINCE
+    fast = installed()
+    return Engine(
+        call=program.address if fast else python_call(program, parameters),
+        advance=compiled_function(advance) if fast else advance,
+        look=compiled_function(look) if fast else look,
+        settings=np.array(settings, dtype=float),
+        clock=clock,
+        counts=np.zeros(of.COUNTS, dtype=np.int64),
+        margins=np.zeros((2, limits)),
+        times=times,
+        rows=np.zeros((len(times), n + inputs + outputs)),
+        events=[],
+        terminal=np.array([limit.ends for limit in equations.limits], dtype=bool),
+        at=at,
+        v=v,
+        work=work,
+        driven=driven,
+        implicit=(np.zeros((n, n)), np.zeros((n, n)), np.zeros(n, dtype=np.int64)),
+    )
+
+
+def python_call(program: Program, parameters: Array) -> Callable[..., None]:
+    """What `eom.simulate.steps.evaluate` calls where there is no compiler."""
+    plain = program.plain(parameters)
+
+    def call(at: Any, v: Array, row: int, work: Array, level: int) -> None:
+        """Fill the results."""
+        begin = int(at[of.RESULTS])
+        try:
+            found = plain(v[row].tolist(), work[int(at[of.U]) : int(at[of.U] + at[of.INPUTS])].tolist(), level)
+        except (ValueError, OverflowError, ZeroDivisionError):
+            # what NumPy and compiled code answer with numbers that are none
+            work[begin:] = np.nan
+            return
+        work[begin : begin + len(found)] = found
+
+    return call
