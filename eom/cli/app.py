@@ -145,6 +145,45 @@ def response(
 
 
 @app.command()
+def simulate(
+    file: File,
+    settings: Set = None,
+    run: Annotated[
+        Path | None, typer.Option(metavar="RUN.yaml", help="A run file; what options say goes before it.")
+    ] = None,
+    inputs: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--input",
+            metavar="NAME=KIND",
+            help="An input: a value, sine:AMPLITUDE:FREQUENCY[:START[:CYCLES]] or step:VALUE[:START]; repeat.",
+        ),
+    ] = None,
+    duration: Annotated[str | None, typer.Option(metavar="TIME", help="How long, e.g. 8s.")] = None,
+    speed: Annotated[
+        str | None, typer.Option(metavar="SPEED", help="To start from, e.g. 110km/h; the file's own by default.")
+    ] = None,
+    sample: Annotated[
+        str | None, typer.Option(metavar="TIME", help="Between samples of the results; 10ms by default.")
+    ] = None,
+    method: Annotated[
+        str | None,
+        typer.Option(metavar="METHOD", help="automatic (default), dormand_prince, rosenbrock, or rk4 with --step."),
+    ] = None,
+    step: Annotated[str | None, typer.Option(metavar="TIME", help="Step of rk4, e.g. 1ms.")] = None,
+    out: Annotated[
+        Path | None,
+        typer.Option("--out", metavar="FOLDER", help="Write numbers (.csv, .nc) and pictures (.png, .svg)."),
+    ] = None,
+) -> None:
+    """Simulate a vehicle over time, from its straight run on: inputs, drivers, events."""
+    from eom.cli.simulate import run_simulate  # noqa: PLC0415
+    from eom.cli.simulate_request import Options  # noqa: PLC0415
+
+    run_simulate(file, settings or [], Options(run, inputs or [], duration, speed, sample, method, step, out))
+
+
+@app.command()
 def tyre(
     file: Annotated[Path, typer.Argument(metavar="FILE.tir", help="The tyre file.", show_default=False)],
     out: Annotated[

@@ -127,7 +127,7 @@ def positive(option: str, text: str | None, unit: str, mistakes: list[str]) -> f
     value = number(option, text, unit, mistakes)
     if value is None or value > 0.0:
         return value
-    mistakes.append(f"{option} {text}: expected a number larger than zero, in {unit}")
+    mistakes.append(f"{option} {text}: expected a number larger than zero{f', in {unit}' if unit else ''}")
     return None
 
 

@@ -11,8 +11,8 @@ from typing import Any
 
 from eom.program.cache import folder, key, module, replace, straight_lines_in_vectors
 from eom.program.machine import constant, double, integer, intrinsic
-from eom.simulate.memory import PARAMETERS, RESULTS, SCRATCH, STATES, U
 from eom.program.plan import Plan
+from eom.simulate.memory import PARAMETERS, RESULTS, SCRATCH, STATES, U
 
 PACKAGE = "eom"
 
@@ -113,7 +113,7 @@ def loaded(function: Any) -> set[str]:
 
 @cache
 def by_address() -> Any:
-    """numba's call of a program at an address, see `eom.simulate.steps.evaluate`."""
+    """Numba's call of a program at an address, see `eom.simulate.steps.evaluate`."""
     extending, types, ir = (import_module(name) for name in ("numba.extending", "numba.types", "llvmlite.ir"))
 
     def code(context: Any, builder: Any, signature: Any, args: Any) -> Any:

@@ -59,7 +59,7 @@ class Arithmetic(Protocol):
         """2 to a whole number."""
 
     def split(self) -> tuple[Any, Any]:
-        """m and e with x = m 2^e and 1 <= m < 2, of x > 0."""
+        """M and e with x = m 2^e and 1 <= m < 2, of x > 0."""
 
 
 def polynomial(coefficients: tuple[float, ...], x: Any) -> Any:

@@ -103,7 +103,7 @@ class Value:
         return self.new(self.builder.bitcast(self.builder.shl(shifted, constant(whole, 52)), self.item.type))
 
     def split(self) -> tuple["Value", "Value"]:
-        """m and e with x = m 2^e and 1 <= m < 2, of x > 0."""
+        """M and e with x = m 2^e and 1 <= m < 2, of x > 0."""
         kind = self.item.type
         whole = lanes_of(kind, integer())
         bits = self.builder.bitcast(self.item, whole)
@@ -288,7 +288,7 @@ def lane_tape(launch: Launch) -> tuple[Tape, list[int]]:
 
 
 def intrinsic(plan: Callable[[], Plan]) -> Any:
-    """numba's function of (state, input, parameters, scratch, results, level), pointers and a number.
+    """Numba's function of (state, input, parameters, scratch, results, level), pointers and a number.
 
     The plan is asked for when it is compiled.
     """

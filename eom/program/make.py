@@ -3,6 +3,7 @@
 import functools
 from collections.abc import Callable
 from dataclasses import dataclass
+from types import CodeType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -10,7 +11,7 @@ import numpy as np
 from eom.assembly.vectors import Array
 from eom.program.compiled import compiled_program, installed, kept_plan
 from eom.program.numbers import Numbers, gathered
-from eom.program.plain import program_of_numbers
+from eom.program.plain import Plain, compiled_text, of_arrays, of_numbers
 from eom.program.plan import Plan, planned, traced
 
 
@@ -33,9 +34,20 @@ class Program:
         """Of its machine code, which is compiled if it never was."""
         return compiled_program(self.signature, lambda: self.plan)
 
-    def plain(self, parameters: Array) -> Callable[[Any, Any, int], list[Any]]:
-        """The same in plain Python, for the parameters of one case, (parameters,)."""
-        return program_of_numbers(self.plan, parameters)
+    @functools.cached_property
+    def code(self) -> CodeType:
+        """The plan as Python's code."""
+        return compiled_text(self.plan)
+
+    @functools.cached_property
+    def of_numbers(self) -> Plain:
+        """The same in plain Python for one case."""
+        return of_numbers(self.plan, self.code)
+
+    @functools.cached_property
+    def of_arrays(self) -> Plain:
+        """The same in NumPy for many cases at once."""
+        return of_arrays(self.plan, self.code)
 
 
 class Ready(NamedTuple):

@@ -3,6 +3,7 @@
 import math
 from collections import Counter
 from collections.abc import Callable, Iterator
+from types import CodeType
 from typing import Any
 
 import numpy as np
@@ -25,8 +26,8 @@ NUMBERS: dict[str, Callable[..., Any]] = {
     "ARCTAN": math.atan,
     "EXP": math.exp,
     "LOG": math.log,
-    "MAX": lambda a, b: b if a < b else a,
-    "MIN": lambda a, b: b if b < a else a,
+    "MAX": lambda a, b: max(a, b),
+    "MIN": lambda a, b: min(a, b),
     "COPYSIGN": math.copysign,
     "LESS": lambda a, b: float(a < b),
     "CHOOSE": lambda test, then, other: then if test != 0.0 else other,
@@ -34,20 +35,19 @@ NUMBERS: dict[str, Callable[..., Any]] = {
 """Operations on numbers; `VALUES` are those on arrays."""
 
 
-Program = Callable[[Any, Any, int], list[Any]]
-"""Results of levels up to one, of states and inputs."""
+Plain = Callable[[Any, Any, Any, int], list[Any]]
+"""Results of levels up to one, of states, inputs and parameters."""
 
 
-def program_of_numbers(plan: Plan, parameters: Any) -> Program:
-    """The program of one case; states and inputs are lists."""
-    names = {**NUMBERS, "stacked": np.array, "told": lambda rows: [row.tolist() for row in rows]}
-    return bound(plan, names, parameters.tolist(), parameters)
+def of_numbers(plan: Plan, code: CodeType) -> Plain:
+    """The program of one case: states and inputs are lists, parameters an array."""
+    return bound(plan, code, {**NUMBERS, "stacked": np.array, "told": lambda rows: [row.tolist() for row in rows]})
 
 
-def program_of_arrays(plan: Plan, parameters: Any) -> Program:
-    """The program of many cases; the last axis of states, inputs and *parameters* is theirs."""
+def of_arrays(plan: Plan, code: CodeType) -> Plain:
+    """The program of many cases; the last axis of states, inputs and parameters is theirs."""
     names = {op.name: function for op, function in VALUES.items()}
-    return bound(plan, {**names, "stacked": stacked, "told": lambda rows: rows}, parameters, parameters)
+    return bound(plan, code, {**names, "stacked": stacked, "told": lambda rows: rows})
 
 
 def stacked(rows: list[Any]) -> Any:
@@ -55,14 +55,19 @@ def stacked(rows: list[Any]) -> Any:
     return np.stack(np.broadcast_arrays(*rows))
 
 
-def bound(plan: Plan, names: dict[str, Any], parameters: Any, coefficients: Any) -> Program:
-    """The text as a function, with meanings for the names in it."""
+def compiled_text(plan: Plan) -> CodeType:
+    """The plan as Python's code."""
+    return compile("\n".join(text(plan)), "<program>", "exec")
+
+
+def bound(plan: Plan, code: CodeType, names: dict[str, Any]) -> Plain:
+    """The code as a function, with meanings for the names in it."""
     space = dict(names)
     for k, launch in enumerate(launches(plan)):
-        space[f"call_{k}"] = caller(launch, coefficients)
-    exec(compile("\n".join(text(plan)), "<program>", "exec"), space)  # noqa: S102  our own text, made of a tape
-    program = space["program"]
-    return lambda x, u, level: program(x, u, parameters, level)
+        space[f"call_{k}"] = caller(launch)
+    exec(code, space)  # noqa: S102  our own text, made of a tape
+    program: Plain = space["program"]
+    return program
 
 
 def launches(plan: Plan) -> list[Launch]:
@@ -70,15 +75,21 @@ def launches(plan: Plan) -> list[Launch]:
     return [launch for stage in plan.launches for launch in stage]
 
 
-def caller(launch: Launch, parameters: Any) -> Callable[..., Any]:
-    """A launch's function of its arguments, with its coefficients in it; gives rows of lanes."""
+def caller(launch: Launch) -> Callable[..., Any]:
+    """A launch's function of parameters and its arguments; gives rows of lanes."""
     call, lanes = launch.call, len(launch.lanes)
     if not call.names:
-        return lambda *arguments: np.broadcast_arrays(call.function(*arguments))
+        return lambda _, *arguments: np.broadcast_arrays(call.function(*arguments))
     end = launch.coefficients + launch.stride * len(call.names)
-    rows = parameters[launch.coefficients : end].reshape(len(call.names), launch.stride, *parameters.shape[1:])
-    own = Coefficients(**dict(zip(call.names, rows[:, :lanes], strict=True)))
-    return lambda *arguments: [value + 0.0 * arguments[0] for value in call.function(own, *arguments)]
+
+    def call_it(parameters: Any, *arguments: Any) -> Any:
+        """The rows."""
+        part = parameters[launch.coefficients : end]
+        rows = part.reshape(len(call.names), launch.stride, *part.shape[1:])
+        own = Coefficients(**dict(zip(call.names, rows[:, :lanes], strict=True)))
+        return [value + 0.0 * arguments[0] for value in call.function(own, *arguments)]
+
+    return call_it
 
 
 def text(plan: Plan) -> Iterator[str]:
@@ -102,7 +113,7 @@ def text(plan: Plan) -> Iterator[str]:
             ]
             wanted = min(plan.call_levels[index] for index, _ in launch.lanes)
             yield f"    if level >= {wanted}:"
-            yield f"        r{counter} = told(call_{counter}({', '.join(rows)}))"
+            yield f"        r{counter} = told(call_{counter}(p, {', '.join(rows)}))"
             counter += 1
     yield "    out = []"
     for level, group in enumerate(plan.roots):

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from eom.assembly.vectors import Array
-from eom.program.arrays import NodeArray, as_nodes
+from eom.program.arrays import as_nodes
 from eom.program.numbers import Numbers, lifted
 from eom.program.tape import LEAVES, VALUES, Call, Op, Tape
 

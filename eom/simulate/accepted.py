@@ -17,7 +17,6 @@ from eom.simulate.memory import (
     K6,
     LIMITS,
     NEW,
-    OUTPUTS,
     RESULTS,
     RIGHT,
     SAMPLES,
@@ -73,6 +72,7 @@ def accept(
     counts: Any,
     margins: Any,
     times: Any,
+    columns: Any,
     rows: Any,
     events: Any,
     terminal: Any,
@@ -105,7 +105,7 @@ def accept(
                 events[event, EVENT_STATE + j] = v[RIGHT, j]
             counts[EVENTS] = event + 1
     end = now if reach == 1.0 else t + reach * h
-    take_samples(program, h, end, last, clock, counts, times, rows, at, v, work, pieces, signals)
+    take_samples(program, h, end, last, clock, counts, times, columns, rows, at, v, work, pieces, signals)
     if reach < 1.0:
         between(reach, h, last, v)
     for i in range(n):
@@ -159,6 +159,7 @@ def take_samples(
     clock: Any,
     counts: Any,
     times: Any,
+    columns: Any,
     rows: Any,
     at: Any,
     v: Any,
@@ -166,7 +167,10 @@ def take_samples(
     pieces: Any,
     signals: Any,
 ) -> None:
-    """Fill in the samples that are due until the end of a step: states, inputs, outputs."""
+    """Fill in the samples that are due until the end of a step.
+
+    *columns* say what of states, inputs and outputs, one after the other, is kept.
+    """
     n, inputs = at[STATES], at[INPUTS]
     while counts[SAMPLES] < len(times) and times[counts[SAMPLES]] <= end:
         sample = counts[SAMPLES]
@@ -178,12 +182,14 @@ def take_samples(
                 v[RIGHT, i] = v[X, i]
         fill_inputs(instant, False, at, work, pieces, signals)
         evaluate(program, at, v, RIGHT, work, 2)
-        for i in range(n):
-            rows[sample, i] = v[RIGHT, i]
-        for i in range(inputs):
-            rows[sample, n + i] = work[at[U] + i]
-        for i in range(at[OUTPUTS]):
-            rows[sample, n + inputs + i] = work[at[RESULTS] + n + at[LIMITS] + i]
+        for k in range(len(columns)):
+            column = columns[k]
+            if column < n:
+                rows[sample, k] = v[RIGHT, column]
+            elif column < n + inputs:
+                rows[sample, k] = work[at[U] + column - n]
+            else:
+                rows[sample, k] = work[at[RESULTS] + at[LIMITS] + column - inputs]
         counts[SAMPLES] = sample + 1
 
 

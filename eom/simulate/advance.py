@@ -54,11 +54,13 @@ KEPT = 6
 def advance(
     program: Any,
     until: float,
+    pause: float,
     settings: Any,
     clock: Any,
     counts: Any,
     margins: Any,
     times: Any,
+    columns: Any,
     rows: Any,
     events: Any,
     terminal: Any,
@@ -74,13 +76,15 @@ def advance(
 ) -> int:
     """Go on until an instant [s], or until something ends the run; says which, see `eom.simulate.memory`.
 
-    *times* are instants of samples, *stops* those at which an input or its slope jumps, where steps end.
+    After the step that reaches *pause* [s] it stops, to be called again; the steps are the same with any pause.
+
+    *times* are instants of samples, whose *columns* are kept in *rows*, *stops* those at which an input or its slope jumps, where steps end.
     """
     stop = np.searchsorted(stops, clock[TIME], side="right")
     start(program, clock[TIME], margins, at, v, work, pieces, signals)
-    take_samples(program, 0.0, clock[TIME], 0, clock, counts, times, rows, at, v, work, pieces, signals)
+    take_samples(program, 0.0, clock[TIME], 0, clock, counts, times, columns, rows, at, v, work, pieces, signals)
     method = int(clock[METHOD_NOW] if settings[METHOD] == AUTOMATIC else settings[METHOD])
-    while clock[TIME] < until:
+    while clock[TIME] < min(until, pause):
         t = clock[TIME]
         if clock[ROOT] == 0.0 or max(t, t + min(clock[STEP], LOOK)) > clock[LOOKED] + LOOK:
             clock[ROOT], clock[LOOKED] = fastest(program, t, clock, at, v, work, pieces, signals), t
@@ -118,7 +122,23 @@ def advance(
         counts[method] += 1
         now = end if h == end - t else t + h
         status = accept(
-            program, h, now, last, clock, counts, margins, times, rows, events, terminal, at, v, work, pieces, signals
+            program,
+            h,
+            now,
+            last,
+            clock,
+            counts,
+            margins,
+            times,
+            columns,
+            rows,
+            events,
+            terminal,
+            at,
+            v,
+            work,
+            pieces,
+            signals,
         )
         if status != DONE:
             return status

@@ -33,6 +33,7 @@ class Engine:
     counts: Any
     margins: Array
     times: Array
+    columns: Any
     rows: Array
     events: list[Array]
     terminal: Any
@@ -68,8 +69,8 @@ class Engine:
         driven = self.driven
         self.look(self.call, self.time, self.at, self.v, self.work, driven.pieces, driven.signals)
 
-    def go_on(self, until: float) -> int:
-        """Go on to an instant; says how it ended."""
+    def go_on(self, until: float, pause: float) -> int:
+        """Go on to an instant, or past a pause; says how it ended."""
         while True:
             room = np.zeros((ROOM, of.EVENT_STATE + len(self.state)))
             self.counts[of.EVENTS] = 0
@@ -77,11 +78,13 @@ class Engine:
             status = self.advance(
                 self.call,
                 until,
+                pause,
                 self.settings,
                 self.clock,
                 self.counts,
                 self.margins,
                 self.times,
+                self.columns,
                 self.rows,
                 room,
                 self.terminal,
@@ -108,49 +111,69 @@ def engine(
 ) -> Engine:
     """A run that is about to start at zero in a state, with samples at some *times* [s]."""
     program, parameters = equations.ready
-    n, limits, outputs = (len(group) for group in program.plan.roots)
     inputs = len(driven.base)
-    places = np.cumsum([0, inputs, len(parameters), program.plan.scratch])
-    at = np.array([n, limits, inputs, outputs, *places], dtype=np.int64)
-    work = np.ones(int(places[-1]) + n + limits + outputs)
+    at, size = places(program, inputs)
+    n, limits, outputs = (int(at[k]) for k in (of.STATES, of.LIMITS, of.OUTPUTS))
+    work = np.ones(size)
     work[:inputs] = driven.base
     work[inputs : inputs + len(parameters)] = parameters
-    v = np.zeros((of.VECTORS, n))
-    v[of.X], v[of.SIZE], v[of.GROWING] = x, equations.size, equations.growing
-    # any direction that has a share of all motions
-    v[of.DIRECTION] = equations.size * np.cos(np.arange(n) ** 2)
-    clock = np.zeros(of.CLOCK)
-    clock[of.STEP], clock[of.AGE], clock[of.METHOD_NOW] = min(FIRST_STEP, settings[1]), KEPT, of.DORMAND_PRINCE
     fast = installed()
     return Engine(
         call=program.address if fast else python_call(program, parameters),
         advance=compiled_function(advance) if fast else advance,
         look=compiled_function(look) if fast else look,
         settings=np.array(settings, dtype=float),
-        clock=clock,
+        clock=first_clock(settings[1]),
         counts=np.zeros(of.COUNTS, dtype=np.int64),
         margins=np.zeros((2, limits)),
         times=times,
+        columns=np.arange(n + inputs + outputs),
         rows=np.zeros((len(times), n + inputs + outputs)),
         events=[],
         terminal=np.array([limit.ends for limit in equations.limits], dtype=bool),
         at=at,
-        v=v,
+        v=first_vectors(equations, x),
         work=work,
         driven=driven,
         implicit=(np.zeros((n, n)), np.zeros((n, n)), np.zeros(n, dtype=np.int64)),
     )
 
 
+def places(program: Program, inputs: int) -> tuple[Any, int]:
+    """Numbers of states, limits, inputs, outputs and where what stands in the program's memory; its size."""
+    n, limits, outputs = (len(group) for group in program.plan.roots)
+    begins = np.cumsum([0, inputs, len(program.plan.parameters), program.plan.scratch])
+    at = np.array([n, limits, inputs, outputs, *begins], dtype=np.int64)
+    return at, int(begins[-1]) + n + limits + outputs
+
+
+def first_clock(largest: float) -> Array:
+    """The clock at the start, for a largest step [s]."""
+    clock = np.zeros(of.CLOCK)
+    clock[of.STEP], clock[of.AGE], clock[of.METHOD_NOW] = min(FIRST_STEP, largest), KEPT, of.DORMAND_PRINCE
+    return clock
+
+
+def first_vectors(equations: Equations, x: Array) -> Array:
+    """The vectors over the states at the start, (vectors, n)."""
+    v = np.zeros((of.VECTORS, len(x)))
+    v[of.X], v[of.SIZE], v[of.GROWING] = x, equations.size, equations.growing
+    # any direction that has a share of all motions
+    v[of.DIRECTION] = equations.size * np.cos(np.arange(len(x)) ** 2)
+    return v
+
+
 def python_call(program: Program, parameters: Array) -> Callable[..., None]:
     """What `eom.simulate.steps.evaluate` calls where there is no compiler."""
-    plain = program.plain(parameters)
+    plain = program.of_numbers
 
     def call(at: Any, v: Array, row: int, work: Array, level: int) -> None:
         """Fill the results."""
         begin = int(at[of.RESULTS])
         try:
-            found = plain(v[row].tolist(), work[int(at[of.U]) : int(at[of.U] + at[of.INPUTS])].tolist(), level)
+            found = plain(
+                v[row].tolist(), work[int(at[of.U]) : int(at[of.U] + at[of.INPUTS])].tolist(), parameters, level
+            )
         except (ValueError, OverflowError, ZeroDivisionError):
             # what NumPy and compiled code answer with numbers that are none
             work[begin:] = np.nan

@@ -86,22 +86,20 @@ def events(parts: Sequence[Array], limits: tuple[Limit, ...]) -> tuple[Event, ..
 
 def method(own: Engine) -> str:
     """Which methods ran, and how many steps they took."""
-    parts = [
-        f"{int(own.counts[kind])} steps by {name}" for kind, name in NAMES.items() if own.counts[kind]
-    ]
+    parts = [f"{int(own.counts[kind])} steps by {name}" for kind, name in NAMES.items() if own.counts[kind]]
     rejected = int(own.counts[of.REJECTED])
     how = "compiled" if installed() else "in Python"
     return f"{' and '.join(parts) or 'no steps'}, {rejected} rejected; {how}"
 
 
-def sentence(status: int, own: Engine, limits: tuple[Limit, ...]) -> str:
-    """Why a run ended before its time."""
-    at = f"{own.time:.6g} s"
-    root, h = own.clock[of.ROOT], own.settings[of.LARGEST]
+def sentence(status: int, clock: Array, settings: Array, parts: Sequence[Array], limits: tuple[Limit, ...]) -> str:
+    """Why a run ended before its time; *parts* are its events."""
+    at = f"{clock[of.TIME]:.6g} s"
+    root, h = clock[of.ROOT], settings[of.LARGEST]
     match status:
         case of.TERMINAL:
             last = max(
-                (row for part in own.events for row in part if row[of.EVENT_REACHED] and limits[int(row[1])].ends),
+                (row for part in parts for row in part if row[of.EVENT_REACHED] and limits[int(row[1])].ends),
                 key=lambda row: row[of.EVENT_TIME],
             )
             limit = limits[int(last[of.EVENT_LIMIT])]

@@ -7,8 +7,8 @@ import numpy as np
 
 from eom.assembly.vectors import Array
 from eom.errors import SimulationError
-from eom.simulate.functions import Broken, pieces_of, row
 from eom.simulate.functions import NODES as INNER
+from eom.simulate.functions import Broken, pieces_of, row
 from eom.simulate.inputs import Constant, Input, Sine, Steps, Table
 from eom.simulate.pieces import DEGREE
 

@@ -137,7 +137,7 @@ class Running(NamedTuple):
         if status == of.DONE and until < asked.duration:
             why = own.driven.why
         elif status != of.DONE:
-            why = sentence(status, own, self.equations.limits)
+            why = sentence(status, own.clock, own.settings, own.events, self.equations.limits)
         run = self.run(held, why)
         if why and status != of.TERMINAL:
             raise SimulationError(why, run)
@@ -147,7 +147,7 @@ class Running(NamedTuple):
         """Go on to an instant, in slices that let progress be seen; says how it ended."""
         status = of.DONE
         while self.engine.time < instant and status == of.DONE:
-            status = self.engine.go_on(min(instant, progress.next_stop(self.engine.time, SLICE)))
+            status = self.engine.go_on(instant, progress.next_stop(self.engine.time, SLICE))
             progress.reached(self.engine.time)
         return status
 

@@ -20,7 +20,17 @@ evaluate.calls_program = True  # type: ignore[attr-defined]  compiled code calls
 
 
 def rates(
-    program: Any, t: float, before: bool, row: int, level: int, k: int, at: Any, v: Any, work: Any, pieces: Any, signals: Any
+    program: Any,
+    t: float,
+    before: bool,
+    row: int,
+    level: int,
+    k: int,
+    at: Any,
+    v: Any,
+    work: Any,
+    pieces: Any,
+    signals: Any,
 ) -> None:
     """Set row *k* to the rates of the state in a row at t."""
     fill_inputs(t, before, at, work, pieces, signals)
@@ -61,9 +71,7 @@ STAGES = np.array(
         [35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0],
     ]
 )
-DEFECT = np.array(
-    [71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339200.0, 22.0 / 525.0, -1.0 / 40.0]
-)
+DEFECT = np.array([71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339200.0, 22.0 / 525.0, -1.0 / 40.0])
 
 
 def dormand_prince(program: Any, t: float, h: float, at: Any, v: Any, work: Any, pieces: Any, signals: Any) -> int:
