@@ -68,7 +68,9 @@ class NodeArray(np.ndarray[Any, np.dtype[np.object_]]):
         elif method == "__call__" and ufunc.__name__ in self.UFUNCS:
             result = self.UFUNCS[ufunc.__name__](*plain)
         elif method == "__call__" and ufunc.__name__ == "matmul":
-            result = np.dot(*(np.asarray(item, dtype=object) for item in plain))
+            result = product(*(np.asarray(item, dtype=object) for item in plain))
+        elif method == "reduce" and ufunc.__name__ == "add" and options["axis"] is not None:
+            result = np.apply_along_axis(lambda row: balanced(list(row)), options["axis"], plain[0])
         elif method == "reduce" and ufunc.__name__ in self.UFUNCS:
             function, axis = self.UFUNCS[ufunc.__name__], options["axis"]
             result = functools.reduce(function, np.moveaxis(plain[0], axis, 0))
@@ -89,6 +91,31 @@ class NodeArray(np.ndarray[Any, np.dtype[np.object_]]):
             case "solve":
                 return as_nodes(solved(*(np.asarray(item, dtype=object) for item in args)))
         return super().__array_function__(func, types, args, kwargs)
+
+
+def balanced(terms: list[Any]) -> Any:
+    """The sum of terms, in pairs: short chains of operations are what a processor can do side by side."""
+    while len(terms) > 1:
+        terms = [sum(terms[k + 1 : k + 2], terms[k]) for k in range(0, len(terms), 2)]
+    return terms[0]
+
+
+def product(left: Any, right: Any) -> Any:
+    """A product of matrices or vectors of nodes; what is zero takes no part."""
+    node = next((item for item in (*left.flat, *right.flat) if isinstance(item, Node)), None)
+    nothing = 0.0 if node is None else node.lifted(0.0)
+    rows, columns = np.atleast_2d(left), right if right.ndim == 2 else right[:, np.newaxis]
+    result = np.empty((len(rows), columns.shape[1]), dtype=object)
+    nonzero = [[(k, item) for k, item in enumerate(row) if not zero(item)] for row in rows]
+    for j, column in enumerate(columns.T):
+        for i, row in enumerate(nonzero):
+            result[i, j] = balanced([item * column[k] for k, item in row if not zero(column[k])] or [nothing])
+    return result.reshape((*left.shape[:-1], *right.shape[1:]))[()]
+
+
+def zero(item: Any) -> bool:
+    """Whether a number is known to be zero."""
+    return (item.value if isinstance(item, Node) else item) == 0.0
 
 
 def as_nodes(array: Any) -> Any:

@@ -1,6 +1,5 @@
 """Compilation by numba: of programs, and of plain functions that call them."""
 
-import dis
 import pickle
 from collections.abc import Callable
 from functools import cache
@@ -10,11 +9,10 @@ from types import FunctionType
 from typing import Any
 
 from eom.program.cache import folder, key, module, replace, straight_lines_in_vectors
-from eom.program.machine import constant, double, integer, intrinsic
+from eom.program.machine import intrinsic
+from eom.program.numbers import PACKAGE, loaded
 from eom.program.plan import Plan
-from eom.simulate.memory import PARAMETERS, RESULTS, SCRATCH, STATES, U
 
-PACKAGE = "eom"
 
 PROGRAM = '''"""Compiled by eom; may be removed at any time."""
 
@@ -80,13 +78,15 @@ def compiled_function(function: Any) -> Any:
 def machine_code(function: Any, made: dict[Any, Any], path: Path | None = None) -> Any:
     """A function compiled, with all functions of this package that it calls.
 
-    *made* holds what is compiled already; numba looks beside the *path* for what it kept.
+    *made* holds what is compiled already; numba looks beside the *path* for what it kept. A function with an attribute
+    ``written`` is replaced by what that gives.
     """
-    if getattr(function, "calls_program", False):
-        return by_address()
+    written = getattr(function, "written", None)
+    if written is not None:
+        return written()
     if function not in made:
         names = {}
-        for name in loaded(function):
+        for name in loaded(function, "LOAD_GLOBAL"):
             value = function.__globals__.get(name)
             if isinstance(value, FunctionType) and value.__module__.startswith(PACKAGE):
                 names[name] = machine_code(value, made)
@@ -104,38 +104,3 @@ def one_version(dispatcher: Any) -> Any:
         tuple(map(unliteral, args)), {name: unliteral(kind) for name, kind in kws.items()}
     )
     return dispatcher
-
-
-def loaded(function: Any) -> set[str]:
-    """The global names that a function reads."""
-    return {item.argval for item in dis.get_instructions(function) if item.opname == "LOAD_GLOBAL"}
-
-
-@cache
-def by_address() -> Any:
-    """Numba's call of a program at an address, see `eom.simulate.steps.evaluate`."""
-    extending, types, ir = (import_module(name) for name in ("numba.extending", "numba.types", "llvmlite.ir"))
-
-    def code(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        program, at, v, row, work, level = args
-
-        def data(k: int) -> Any:
-            """Pointer to the elements of an array."""
-            return context.make_array(signature.args[k])(context, builder, args[k]).data
-
-        def offset(k: int) -> Any:
-            """An entry of *at*."""
-            place = builder.load(builder.gep(data(1), [constant(integer(), k)], inbounds=True))
-            return builder.gep(data(4), [place], inbounds=True)
-
-        states = builder.load(builder.gep(data(1), [constant(integer(), STATES)], inbounds=True))
-        state = builder.gep(data(2), [builder.mul(row, states)], inbounds=True)
-        form = ir.FunctionType(ir.VoidType(), [double().as_pointer()] * 5 + [integer()])
-        pointers = [state, *map(offset, (U, PARAMETERS, SCRATCH, RESULTS))]
-        builder.call(builder.inttoptr(program, form.as_pointer()), [*pointers, level])
-        return context.get_dummy_value()
-
-    def call(_typing: Any, program: Any, at: Any, v: Any, row: Any, work: Any, level: Any) -> Any:
-        return types.void(program, at, v, types.int64, work, types.int64), code
-
-    return extending.intrinsic(call)

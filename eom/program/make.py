@@ -1,5 +1,6 @@
 """From equations to something to call: machine code where there is a compiler, plain Python elsewhere."""
 
+import ctypes
 import functools
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -13,6 +14,10 @@ from eom.program.compiled import compiled_program, installed, kept_plan
 from eom.program.numbers import Numbers, gathered
 from eom.program.plain import Plain, compiled_text, of_arrays, of_numbers
 from eom.program.plan import Plan, planned, traced
+
+
+CALL = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 5, ctypes.c_int64)
+"""How machine code is called: states, inputs, parameters, scratch memory, results; level."""
 
 
 @dataclass(frozen=True)
@@ -55,6 +60,16 @@ class Ready(NamedTuple):
 
     program: Program
     parameters: Array
+
+    def results(self, x: Array, u: Array, level: int) -> Array:
+        """Results of the first levels up to one, compiled where there is a compiler."""
+        plan = self.program.plan
+        if not installed():
+            return np.array(self.program.of_numbers(x.tolist(), u.tolist(), self.parameters, level))
+        out, scratch = np.empty(sum(map(len, plan.roots))), np.ones(plan.scratch)
+        arrays = (np.ascontiguousarray(x, dtype=float), np.ascontiguousarray(u, dtype=float), self.parameters, scratch, out)
+        CALL(self.program.address)(*(item.ctypes.data for item in arrays), level)
+        return out[: sum(map(len, plan.roots[: level + 1]))]
 
 
 def ready(function: Callable[..., Any], numbers: Any, states: int, inputs: int) -> Ready:

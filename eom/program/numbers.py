@@ -1,8 +1,10 @@
 """The numbers of a model as parameters of a program: which may differ from case to case, which are structure."""
 
+import dis
 import hashlib
 from collections.abc import Iterator, Sequence
-from types import SimpleNamespace
+from numbers import Real
+from types import FunctionType, SimpleNamespace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -11,6 +13,7 @@ from eom.assembly.vectors import Array
 from eom.program.arrays import as_nodes
 from eom.program.tape import Op, Tape
 
+PACKAGE = "eom"
 STRUCTURAL = (0.0, 1.0, -1.0, np.inf, -np.inf)
 """Numbers that make an operation trivial: where all cases have the same one, it is none of the parameters."""
 
@@ -44,13 +47,26 @@ class Coefficients(SimpleNamespace):
 
 
 def coefficient_names(item: Any) -> tuple[str, ...]:
-    """Names of the numbers of an object that is called over lanes, by its formula; empty for any other."""
+    """Names of the numbers of an object that its ``formula`` reads; empty for an object without formula."""
     formula = getattr(item, "formula", None)
     if formula is None:
         return ()
-    from eom.tyre.kernel import used_coefficients  # noqa: PLC0415
+    read = sorted({name for function in reached(formula) for name in loaded(function, "LOAD_ATTR")})
+    return tuple(name for name in read if isinstance(getattr(item, name, None), (Real, np.ndarray)))
 
-    return tuple(used_coefficients(formula, item))
+
+def reached(function: Any) -> Iterator[Any]:
+    """A function and all functions of this package that it calls."""
+    yield function
+    for name in loaded(function, "LOAD_GLOBAL"):
+        value = function.__globals__.get(name)
+        if isinstance(value, FunctionType) and value.__module__.startswith(PACKAGE):
+            yield from reached(value)
+
+
+def loaded(function: Any, instruction: str) -> set[str]:
+    """The names that a function loads by a kind of instruction."""
+    return {item.argval for item in dis.get_instructions(function) if item.opname == instruction}
 
 
 def leaves(item: Any) -> Iterator[Any]:
@@ -78,7 +94,7 @@ def gathered(cases: Sequence[Any]) -> Numbers:
     digests = {digest(own) for own in every}
     if len(digests) > 1:
         raise ValueError("cases differ in structure")
-    values = np.array([np.concatenate([np.ravel(leaf) for leaf in own if is_number(leaf)]) for own in every])
+    values = np.array([np.concatenate([np.empty(0), *(np.ravel(leaf) for leaf in own if is_number(leaf))]) for own in every])
     fixed = np.isin(values[0], STRUCTURAL) & np.all(values == values[0], axis=0)
     text = f"{digests.pop()}{fixed.tobytes().hex()}{values[0][fixed].tolist()}"
     signature = hashlib.sha256(text.encode()).hexdigest()

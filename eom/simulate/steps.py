@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from eom.simulate.by_address import by_address
 from eom.simulate.memory import DRIFT, ERROR, K0, K1, K2, K3, K4, K6, NEW, RESULTS, RIGHT, V0, X
 from eom.simulate.pieces import fill_inputs
 
@@ -16,7 +17,8 @@ def evaluate(program: Any, at: Any, v: Any, row: int, work: Any, level: int) -> 
     program(at, v, row, work, level)
 
 
-evaluate.calls_program = True  # type: ignore[attr-defined]  compiled code calls by address instead
+# a compiler calls by address instead
+evaluate.written = by_address  # type: ignore[attr-defined]
 
 
 def rates(
