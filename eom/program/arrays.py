@@ -92,6 +92,44 @@ class NodeArray(np.ndarray[Any, np.dtype[np.object_]]):
                 return as_nodes(solved(*(np.asarray(item, dtype=object) for item in args)))
         return super().__array_function__(func, types, args, kwargs)
 
+    def over_lanes(self, function: Any, coefficients: Any, rows: int, arguments: list[Any]) -> Any:
+        """``function(coefficients, *arguments)`` of arrays over lanes as one call, (rows, lanes)."""
+        tape, count = tape_of(self), len(arguments[0])
+
+        def places(values: Any) -> tuple[int, ...]:
+            """Places of the nodes of an array over lanes, numbers written down as constants."""
+            row = np.broadcast_to(np.asarray(values, dtype=object), (count,))
+            return tuple((item if isinstance(item, Node) else tape.constant(float(item))).place for item in row)
+
+        names: tuple[str, ...] = () if coefficients is None else coefficients.names
+        own = tuple(places(getattr(coefficients, name)) for name in names)
+        return as_nodes(called(tape, Call(function, names, own, tuple(map(places, arguments)), rows)))
+
+    def solve_positive(self, right: Any) -> Any:
+        """Solution of a system whose matrix this is, symmetric and positive definite: by L D L'."""
+        n = len(self)
+        L, pivots, inverse = np.zeros((n, n), dtype=object), [], []
+        for j in range(n):
+            moved = [L[j, k] * pivots[k] for k in range(j)]
+            for i in range(j, n):
+                left = self[i, j]
+                for k in range(j):
+                    left = left - L[i, k] * moved[k]
+                if i == j:
+                    pivots.append(left)
+                    inverse.append(1.0 / left)
+                else:
+                    L[i, j] = left * inverse[j]
+        x = list(right)
+        for i in range(n):
+            for k in range(i):
+                x[i] = x[i] - L[i, k] * x[k]
+        x = [value * own for value, own in zip(x, inverse, strict=True)]
+        for i in reversed(range(n)):
+            for k in range(i + 1, n):
+                x[i] = x[i] - L[k, i] * x[k]
+        return as_nodes(x)
+
 
 def balanced(terms: list[Any]) -> Any:
     """The sum of terms, in pairs: short chains of operations are what a processor can do side by side."""
@@ -147,52 +185,6 @@ def called(tape: Tape, call: Call) -> list[list[Node]]:
         tape.calls.append(call)
     index, lanes = tape.calls.index(call), len(call.arguments[0])
     return [[tape.node(Op.LANE, index, row, lane) for lane in range(lanes)] for row in range(call.rows)]
-
-
-def over_lanes(function: Any, coefficients: Any, rows: int, arguments: list[Any]) -> Any:
-    """``function(coefficients, *arguments)`` of arrays over lanes, *rows* of them; on a tape it is one call."""
-    if not any(isinstance(item, NodeArray) for item in arguments):
-        return function(coefficients, *arguments)
-    tape = tape_of(np.concatenate([np.asarray(item, dtype=object) for item in arguments]))
-    count = len(arguments[0])
-
-    def places(values: Any) -> tuple[int, ...]:
-        """Places of the nodes of an array over lanes, numbers written down as constants."""
-        row = np.broadcast_to(np.asarray(values, dtype=object), (count,))
-        return tuple((item if isinstance(item, Node) else tape.constant(float(item))).place for item in row)
-
-    names: tuple[str, ...] = coefficients.names
-    own = tuple(places(getattr(coefficients, name)) for name in names)
-    call = Call(function, names, own, tuple(places(item) for item in arguments), rows)
-    return as_nodes(called(tape, call))
-
-
-def solve_positive(matrix: Any, right: Any) -> Any:
-    """Solution of a system whose matrix is symmetric and positive definite."""
-    if not isinstance(matrix, NodeArray):
-        return np.linalg.solve(matrix, right)
-    n = len(matrix)
-    L, pivots, inverse = np.zeros((n, n), dtype=object), [], []
-    for j in range(n):
-        moved = [L[j, k] * pivots[k] for k in range(j)]
-        for i in range(j, n):
-            left = matrix[i, j]
-            for k in range(j):
-                left = left - L[i, k] * moved[k]
-            if i == j:
-                pivots.append(left)
-                inverse.append(1.0 / left)
-            else:
-                L[i, j] = left * inverse[j]
-    x = list(right)
-    for i in range(n):
-        for k in range(i):
-            x[i] = x[i] - L[i, k] * x[k]
-    x = [value * own for value, own in zip(x, inverse, strict=True)]
-    for i in reversed(range(n)):
-        for k in range(i + 1, n):
-            x[i] = x[i] - L[k, i] * x[k]
-    return as_nodes(x)
 
 
 def solved(matrix: Any, right: Any) -> Any:

@@ -13,7 +13,6 @@ from eom.program.machine import intrinsic
 from eom.program.numbers import PACKAGE, loaded
 from eom.program.plan import Plan
 
-
 PROGRAM = '''"""Compiled by eom; may be removed at any time."""
 
 from numba import cfunc, types

@@ -234,8 +234,9 @@ def write_stage(plan: Plan, stage: int, memory: Memory, level: Any) -> None:
         for item in plan.launches[stage]:
             for lane, (index, own) in enumerate(item.lanes):
                 if plan.call_levels[index] == k:
-                    for row, places in enumerate(tape.calls[index].arguments):
-                        memory.store(value(places[own]), "scratch", item.arguments + item.stride * row + lane)
+                    for row in item.filled:
+                        place = tape.calls[index].arguments[row][own]
+                        memory.store(value(place), "scratch", item.arguments[row][1] + lane)
         if stage == len(plan.stages) - 1:
             first = sum(len(group) for group in plan.roots[:k])
             for row, place in enumerate(plan.roots[k]):
@@ -263,7 +264,7 @@ def write_lanes(launch: Launch, memory: Memory) -> None:
                 at = launch.coefficients + launch.stride * args[0]
                 values[place] = memory.load("parameters", at, begin, kind)
             elif op == Op.INPUT:
-                values[place] = memory.load("scratch", launch.arguments + launch.stride * args[0], begin, kind)
+                values[place] = memory.load(*launch.arguments[args[0]], begin, kind)
             else:
                 values[place] = WRITTEN[Op(op)](*(values[arg] for arg in args))
         for row, place in enumerate(roots):
@@ -278,11 +279,8 @@ def lane_tape(launch: Launch) -> tuple[Tape, list[int]]:
         return as_nodes(tape.node(op, k))
 
     arguments = [scalar(Op.INPUT, k) for k in range(len(call.arguments))]
-    if call.names:
-        own = {name: scalar(Op.PARAMETER, k) for k, name in enumerate(call.names)}
-        found = call.function(Coefficients(**own), *arguments)
-    else:
-        found = (call.function(*arguments),)
+    coefficients = Coefficients(**{name: scalar(Op.PARAMETER, k) for k, name in enumerate(call.names)})
+    found = call.of(coefficients, arguments)
     nodes = [np.asarray(item, dtype=object).item() for item in found]
     return tape, [(node if hasattr(node, "place") else tape.constant(node)).place for node in nodes]
 

@@ -2,6 +2,7 @@
 
 import ctypes
 import functools
+import hashlib
 from collections.abc import Callable
 from dataclasses import dataclass
 from types import CodeType
@@ -14,7 +15,6 @@ from eom.program.compiled import compiled_program, installed, kept_plan
 from eom.program.numbers import Numbers, gathered
 from eom.program.plain import Plain, compiled_text, of_arrays, of_numbers
 from eom.program.plan import Plan, planned, traced
-
 
 CALL = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 5, ctypes.c_int64)
 """How machine code is called: states, inputs, parameters, scratch memory, results; level."""
@@ -67,7 +67,13 @@ class Ready(NamedTuple):
         if not installed():
             return np.array(self.program.of_numbers(x.tolist(), u.tolist(), self.parameters, level))
         out, scratch = np.empty(sum(map(len, plan.roots))), np.ones(plan.scratch)
-        arrays = (np.ascontiguousarray(x, dtype=float), np.ascontiguousarray(u, dtype=float), self.parameters, scratch, out)
+        arrays = (
+            np.ascontiguousarray(x, dtype=float),
+            np.ascontiguousarray(u, dtype=float),
+            self.parameters,
+            scratch,
+            out,
+        )
         CALL(self.program.address)(*(item.ctypes.data for item in arrays), level)
         return out[: sum(map(len, plan.roots[: level + 1]))]
 
@@ -85,7 +91,8 @@ MADE: dict[str, Program] = {}
 
 def program(function: Callable[..., Any], numbers: Numbers, states: int, inputs: int) -> Program:
     """The program of ``function(x, u, numbers)``, from the cache if there is one."""
-    signature = f"{function.__module__}.{function.__qualname__} {states} {inputs} {numbers.signature}"
+    code = hashlib.sha256(function.__code__.co_code).hexdigest()
+    signature = f"{function.__module__}.{function.__qualname__} {code} {states} {inputs} {numbers.signature}"
 
     def make() -> Plan:
         """Write the equations down."""

@@ -94,7 +94,9 @@ def gathered(cases: Sequence[Any]) -> Numbers:
     digests = {digest(own) for own in every}
     if len(digests) > 1:
         raise ValueError("cases differ in structure")
-    values = np.array([np.concatenate([np.empty(0), *(np.ravel(leaf) for leaf in own if is_number(leaf))]) for own in every])
+    values = np.array(
+        [np.concatenate([np.empty(0), *(np.ravel(leaf) for leaf in own if is_number(leaf))]) for own in every]
+    )
     fixed = np.isin(values[0], STRUCTURAL) & np.all(values == values[0], axis=0)
     text = f"{digests.pop()}{fixed.tobytes().hex()}{values[0][fixed].tolist()}"
     signature = hashlib.sha256(text.encode()).hexdigest()

@@ -78,8 +78,6 @@ def launches(plan: Plan) -> list[Launch]:
 def caller(launch: Launch) -> Callable[..., Any]:
     """A launch's function of parameters and its arguments; gives rows of lanes."""
     call, lanes = launch.call, len(launch.lanes)
-    if not call.names:
-        return lambda _, *arguments: np.broadcast_arrays(call.function(*arguments))
     end = launch.coefficients + launch.stride * len(call.names)
 
     def call_it(parameters: Any, *arguments: Any) -> Any:
@@ -87,7 +85,7 @@ def caller(launch: Launch) -> Callable[..., Any]:
         part = parameters[launch.coefficients : end]
         rows = part.reshape(len(call.names), launch.stride, *part.shape[1:])
         own = Coefficients(**dict(zip(call.names, rows[:, :lanes], strict=True)))
-        return [value + 0.0 * arguments[0] for value in call.function(own, *arguments)]
+        return [value + 0.0 * arguments[0] for value in call.of(own, arguments)]
 
     return call_it
 

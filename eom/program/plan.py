@@ -17,14 +17,16 @@ LANE_BLOCK = 8
 class Launch(NamedTuple):
     """Calls of one function over all their lanes at once.
 
-    ``arguments`` and ``results`` start at these places of the scratch memory, ``coefficients`` at this one of the
-    parameters; rows are ``stride`` apart. ``lanes`` are (call, lane) pairs.
+    ``lanes`` are (call, lane) pairs. Rows of ``arguments`` stand at places of the scratch memory or of the parameters,
+    and those in ``filled`` have to be filled in before; the others are there already. Results begin at this place of
+    the scratch memory, coefficients at this one of the parameters; their rows are ``stride`` apart.
     """
 
     call: Call
     lanes: tuple[tuple[int, int], ...]
     stride: int
-    arguments: int
+    arguments: tuple[tuple[str, int], ...]
+    filled: tuple[int, ...]
     results: int
     coefficients: int
 
@@ -144,7 +146,8 @@ def planned(tape: Tape, roots: tuple[tuple[int, ...], ...]) -> Plan:
     for index, at in call_stage.items():
         for row in tape.calls[index].arguments:
             for place in row:
-                used(place, at - 1)
+                if place in varying:
+                    used(place, at - 1)
     for group in roots:
         for place in group:
             used(place, count - 1)
@@ -165,13 +168,27 @@ def planned(tape: Tape, roots: tuple[tuple[int, ...], ...]) -> Plan:
         for lanes in launched(tape, [index for index, at in call_stage.items() if at == s + 1]):
             call = tape.calls[lanes[0][0]]
             stride = -(-len(lanes) // LANE_BLOCK) * LANE_BLOCK
-            filled = [*lanes, *[lanes[-1]] * (stride - len(lanes))]
+            filling = [*lanes, *[lanes[-1]] * (stride - len(lanes))]
             begin = len(parameters)
             for row in range(len(call.coefficients)):
-                parameters.extend(tape.calls[index].coefficients[row][lane] for index, lane in filled)
-            results = memory + stride * len(call.arguments)
-            own.append(Launch(call, tuple(lanes), stride, memory, results, begin))
-            memory = results + stride * call.rows
+                parameters.extend(tape.calls[index].coefficients[row][lane] for index, lane in filling)
+            arguments, filled = [], []
+            for row in range(len(call.arguments)):
+                places = [tape.calls[index].arguments[row][lane] for index, lane in filling]
+                there = result_row(
+                    tape, places[: len(lanes)], stride, [item for done in (*launches, own) for item in done]
+                )
+                if there is not None:
+                    arguments.append(("scratch", there))
+                elif not varying.intersection(places):
+                    arguments.append(("parameters", len(parameters)))
+                    parameters.extend(places)
+                else:
+                    arguments.append(("scratch", memory))
+                    filled.append(row)
+                    memory += stride
+            own.append(Launch(call, tuple(lanes), stride, tuple(arguments), tuple(filled), memory, begin))
+            memory += stride * call.rows
         launches.append(tuple(own))
     call_levels: dict[int, int] = {}
     for place in order:
@@ -198,6 +215,18 @@ def staged(tape: Tape, order: Sequence[int]) -> tuple[set[int], dict[int, int], 
             varying.add(place)
             stage[place] = max((stage.get(arg, 0) for arg in needs(tape, place)), default=0)
     return varying, stage, calls
+
+
+def result_row(tape: Tape, places: Sequence[int], stride: int, done: Sequence[Launch]) -> int | None:
+    """Where a row of results stands that is just the one wanted, None if there is none."""
+    ops = [tape.ops[place] for place in places]
+    if any(op[0] != Op.LANE or op[2] != ops[0][2] for op in ops):
+        return None
+    wanted = tuple((op[1], op[3]) for op in ops)
+    for item in done:
+        if item.lanes == wanted and item.stride == stride:
+            return item.results + stride * ops[0][2]
+    return None
 
 
 def launched(tape: Tape, calls: Sequence[int]) -> list[list[tuple[int, int]]]:

@@ -2,7 +2,7 @@
 
 import math
 import operator
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from enum import IntEnum
 from typing import Any
@@ -80,6 +80,11 @@ class Call:
     coefficients: tuple[tuple[int, ...], ...]
     arguments: tuple[tuple[int, ...], ...]
     rows: int
+
+    def of(self, coefficients: Any, arguments: Sequence[Any]) -> tuple[Any, ...]:
+        """The rows of its result."""
+        found = self.function(coefficients, *arguments) if self.names else self.function(*arguments)
+        return found if isinstance(found, tuple) else (found,)
 
 
 @dataclass

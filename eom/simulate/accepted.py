@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 
 from eom.simulate.memory import (
+    BEFORE,
     DONE,
     EVENT_LIMIT,
     EVENT_REACHED,
@@ -17,9 +18,11 @@ from eom.simulate.memory import (
     K6,
     LIMITS,
     NEW,
+    NOW,
     RESULTS,
     RIGHT,
     SAMPLES,
+    SHARE,
     STATES,
     TERMINAL,
     TIME,
@@ -67,6 +70,7 @@ def accept(
     program: Any,
     h: float,
     now: float,
+    closed: bool,
     last: int,
     clock: Any,
     counts: Any,
@@ -82,39 +86,49 @@ def accept(
     pieces: Any,
     signals: Any,
 ) -> int:
-    """Go on to the end of a step, or to where a limit in it ends the run; says which."""
-    t, n, m, reach, status = clock[TIME], at[STATES], at[LIMITS], 1.0, DONE
-    crossed = False
+    """Go on to the end of a step, or to where a limit in it ends the run; says which.
+
+    If there is no room for its events nothing is done. Samples at the end are taken if the step is *closed*.
+    """
+    t, n, m, reach, crossed = clock[TIME], at[STATES], at[LIMITS], 2.0, 0
     for i in range(m):
-        margins[1, i] = work[at[RESULTS] + n + i]
-        crossed = crossed or (margins[0, i] < 0.0) != (margins[1, i] < 0.0)
+        margins[NOW, i] = work[at[RESULTS] + n + i]
+        crossed += (margins[BEFORE, i] < 0.0) != (margins[NOW, i] < 0.0)
+    if counts[EVENTS] + crossed > len(events):
+        return FULL
     if crossed:
         for i in range(m):
-            if (margins[0, i] < 0.0) == (margins[1, i] < 0.0):
-                continue
-            share = crossing(program, i, t, h, last, margins, at, v, work, pieces, signals)
-            if terminal[i] and margins[1, i] < 0.0 and share < reach:
-                reach, status = share, TERMINAL
-            event = counts[EVENTS]
-            if event == len(events):
-                status = FULL if status == DONE else status
-                continue
-            events[event, EVENT_TIME], events[event, EVENT_LIMIT] = t + share * h, i
-            events[event, EVENT_REACHED] = 1.0 if margins[1, i] < 0.0 else 0.0
-            for j in range(n):
-                events[event, EVENT_STATE + j] = v[RIGHT, j]
-            counts[EVENTS] = event + 1
-    end = now if reach == 1.0 else t + reach * h
-    take_samples(program, h, end, last, clock, counts, times, columns, rows, at, v, work, pieces, signals)
-    if reach < 1.0:
+            margins[SHARE, i] = 2.0
+            if (margins[BEFORE, i] < 0.0) != (margins[NOW, i] < 0.0):
+                margins[SHARE, i] = crossing(program, i, t, h, last, margins, at, v, work, pieces, signals)
+                if terminal[i] and margins[NOW, i] < 0.0:
+                    reach = min(reach, margins[SHARE, i])
+        for i in range(m):
+            if margins[SHARE, i] <= min(reach, 1.0):
+                between(margins[SHARE, i], h, last, v)
+                note(i, t + margins[SHARE, i] * h, margins[NOW, i] < 0.0, RIGHT, counts, events, v)
+    end = now if reach > 1.0 else t + reach * h
+    take_samples(
+        program, h, end, closed or end < now, last, clock, counts, times, columns, rows, at, v, work, pieces, signals
+    )
+    if reach <= 1.0:
         between(reach, h, last, v)
     for i in range(n):
-        v[X, i] = v[RIGHT, i] if reach < 1.0 else v[NEW, i]
+        v[X, i] = v[RIGHT, i] if reach <= 1.0 else v[NEW, i]
         v[K0, i] = v[last, i]
     for i in range(m):
-        margins[0, i] = margins[1, i]
+        margins[BEFORE, i] = margins[NOW, i]
     clock[TIME] = end
-    return status
+    return TERMINAL if reach <= 1.0 else DONE
+
+
+def note(i: int, t: float, reached: bool, row: int, counts: Any, events: Any, v: Any) -> None:
+    """Write an event down, with the state in a row."""
+    event = counts[EVENTS]
+    events[event, EVENT_TIME], events[event, EVENT_LIMIT], events[event, EVENT_REACHED] = t, i, 1.0 if reached else 0.0
+    for j in range(v.shape[1]):
+        events[event, EVENT_STATE + j] = v[row, j]
+    counts[EVENTS] = event + 1
 
 
 def crossing(
@@ -130,24 +144,24 @@ def crossing(
     pieces: Any,
     signals: Any,
 ) -> float:
-    """The share of a step at which a margin is zero, by false position with Illinois' weights; sets the state there."""
-    lower, upper, left, right = 0.0, 1.0, margins[0, i], margins[1, i]
-    for _ in range(60):
-        if upper - lower <= LOCATED:
-            break
-        share = lower + (upper - lower) * left / (left - right)
-        share = min(max(share, lower + 0.25 * LOCATED), upper - 0.25 * LOCATED)
+    """The share of a step at which a margin changes its sign, by false position with Illinois' weights."""
+    lower, upper, left, right = 0.0, 1.0, margins[BEFORE, i], margins[NOW, i]
+    halve = False
+    while upper - lower > LOCATED:
+        width = upper - lower
+        share = lower + 0.5 * width
+        if not halve:
+            share = min(max(lower + width * left / (left - right), lower + 0.25 * LOCATED), upper - 0.25 * LOCATED)
         between(share, h, last, v)
         fill_inputs(t + share * h, True, at, work, pieces, signals)
         evaluate(program, at, v, RIGHT, work, 1)
         found = work[at[RESULTS] + at[STATES] + i]
-        if (found < 0.0) == (margins[1, i] < 0.0):
+        if (found < 0.0) == (margins[NOW, i] < 0.0):
             upper, right, left = share, found, 0.5 * left
         else:
             lower, left, right = share, found, 0.5 * right
-        if found == 0.0:
-            break
-    between(upper, h, last, v)
+        # where the line misleads, halves do not
+        halve = upper - lower > 0.5 * width
     return upper
 
 
@@ -155,6 +169,7 @@ def take_samples(
     program: Any,
     h: float,
     end: float,
+    closed: bool,
     last: int,
     clock: Any,
     counts: Any,
@@ -167,13 +182,15 @@ def take_samples(
     pieces: Any,
     signals: Any,
 ) -> None:
-    """Fill in the samples that are due until the end of a step.
+    """Fill in the samples that are due until the end of a step, those at a *closed* end included.
 
     *columns* say what of states, inputs and outputs, one after the other, is kept.
     """
     n, inputs = at[STATES], at[INPUTS]
-    while counts[SAMPLES] < len(times) and times[counts[SAMPLES]] <= end:
+    while counts[SAMPLES] < len(times):
         sample = counts[SAMPLES]
+        if times[sample] > end or (times[sample] == end and not closed):
+            return
         instant = times[sample]
         if h > 0.0:
             between((instant - clock[TIME]) / h, h, last, v)

@@ -4,16 +4,19 @@ from typing import Any
 
 import numpy as np
 
-from eom.simulate.accepted import accept, take_samples
+from eom.simulate.accepted import accept, note, take_samples
 from eom.simulate.memory import (
     AGE,
     AUTOMATIC,
+    BEFORE,
     COLLAPSED,
     DIVERGED,
     DONE,
     DORMAND_PRINCE,
     ERROR,
+    EVENTS,
     FACTORED,
+    FULL,
     INACCURATE,
     K0,
     LARGEST,
@@ -28,6 +31,7 @@ from eom.simulate.memory import (
     RUNGE_KUTTA,
     STATES,
     STEP,
+    TERMINAL,
     TIME,
     TOLERANCE,
     UNSTABLE,
@@ -40,7 +44,7 @@ STABLE_4, STABLE_5 = 2.5, 3.1
 """Largest product of step and fastest root; the classical method is stable up to 2.78, Dormand and Prince's to 3.31."""
 STIFF, CALM = 600.0, 400.0
 """Fastest roots [1/s] from which on the implicit method takes over, and below which the explicit one does again."""
-LOOK = 0.02
+LOOK = 0.04
 """Time [s] after which the fastest root is looked for again, at the latest."""
 SMALLEST = 1e-9
 """A step [s] that is smaller follows no motion of a vehicle."""
@@ -55,6 +59,7 @@ def advance(
     program: Any,
     until: float,
     pause: float,
+    closed: bool,
     settings: Any,
     clock: Any,
     counts: Any,
@@ -76,20 +81,27 @@ def advance(
 ) -> int:
     """Go on until an instant [s], or until something ends the run; says which, see `eom.simulate.memory`.
 
-    After the step that reaches *pause* [s] it stops, to be called again; the steps are the same with any pause.
+    After the step that reaches *pause* [s] it stops, to be called again; the steps are the same with any pause. A
+    sample at its end is taken if that is *closed*; else it is left for the next time, when inputs may have changed.
 
     *times* are instants of samples, whose *columns* are kept in *rows*, *stops* those at which an input or its slope jumps, where steps end.
     """
     stop = np.searchsorted(stops, clock[TIME], side="right")
-    start(program, clock[TIME], margins, at, v, work, pieces, signals)
-    take_samples(program, 0.0, clock[TIME], 0, clock, counts, times, columns, rows, at, v, work, pieces, signals)
+    status = start(program, clock, counts, margins, events, terminal, at, v, work, pieces, signals)
+    if status == FULL:
+        return status
+    begun = closed or clock[TIME] < until
+    take_samples(program, 0.0, clock[TIME], begun, 0, clock, counts, times, columns, rows, at, v, work, pieces, signals)
+    if status != DONE:
+        return status
     method = int(clock[METHOD_NOW] if settings[METHOD] == AUTOMATIC else settings[METHOD])
     while clock[TIME] < min(until, pause):
         t = clock[TIME]
-        if clock[ROOT] == 0.0 or max(t, t + min(clock[STEP], LOOK)) > clock[LOOKED] + LOOK:
+        if t + min(clock[STEP], LOOK) > clock[LOOKED] + LOOK:
             clock[ROOT], clock[LOOKED] = fastest(program, t, clock, at, v, work, pieces, signals), t
         if settings[METHOD] == AUTOMATIC:
             method = chosen_method(method, clock[ROOT])
+            clock[AGE] = clock[AGE] if clock[METHOD_NOW] == method else KEPT
             clock[METHOD_NOW] = method
         end = min(until, stops[stop]) if stop < len(stops) else until
         h = chosen_step(end - t, method, clock, settings)
@@ -119,12 +131,12 @@ def advance(
             if clock[STEP] < SMALLEST:
                 return COLLAPSED if np.isfinite(wrong) else DIVERGED
             continue
-        counts[method] += 1
         now = end if h == end - t else t + h
         status = accept(
             program,
             h,
             now,
+            closed or now < until,
             last,
             clock,
             counts,
@@ -140,21 +152,47 @@ def advance(
             pieces,
             signals,
         )
+        if status == FULL:
+            return status
+        counts[method] += 1
         if status != DONE:
             return status
         clock[STEP] = following_step(h, wrong, method, clock[STEP])
         if now == end and end < until:
             stop += 1
             clock[AGE] = KEPT
-            start(program, now, margins, at, v, work, pieces, signals)
+            status = start(program, clock, counts, margins, events, terminal, at, v, work, pieces, signals)
+            if status != DONE:
+                return status
     return DONE
 
 
-def start(program: Any, t: float, margins: Any, at: Any, v: Any, work: Any, pieces: Any, signals: Any) -> None:
-    """Rates and margins at an instant from which to go on."""
-    rates(program, t, False, X, 1, K0, at, v, work, pieces, signals)
+def start(
+    program: Any,
+    clock: Any,
+    counts: Any,
+    margins: Any,
+    events: Any,
+    terminal: Any,
+    at: Any,
+    v: Any,
+    work: Any,
+    pieces: Any,
+    signals: Any,
+) -> int:
+    """Rates and margins from which to go on; limits that are crossed by a jump of the inputs, or from the beginning."""
+    rates(program, clock[TIME], False, X, 1, K0, at, v, work, pieces, signals)
+    status = DONE
+    if counts[EVENTS] + at[LIMITS] > len(events):
+        return FULL
     for i in range(at[LIMITS]):
-        margins[0, i] = work[at[RESULTS] + at[STATES] + i]
+        now = work[at[RESULTS] + at[STATES] + i]
+        if (now < 0.0) != (margins[BEFORE, i] < 0.0):
+            note(i, clock[TIME], now < 0.0, X, counts, events, v)
+            if terminal[i] and now < 0.0:
+                status = TERMINAL
+        margins[BEFORE, i] = now
+    return status
 
 
 def chosen_method(method: int, root: float) -> int:

@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
 import numpy as np
 
@@ -11,13 +10,12 @@ from eom.errors import SimulationError
 from eom.model.tyre import TyreModel, build_tyre_model
 from eom.program.make import Program, program
 from eom.program.numbers import gathered
-from eom.simulate import memory as of
 from eom.simulate.blocks import Block
-from eom.simulate.equations import Equations, Model, at_start, equations_of
+from eom.simulate.channels import STATE
+from eom.simulate.equations import Equations, Model, at_start, check_kind, equations_of
 from eom.simulate.fleet import Fleet, fleet
 from eom.simulate.inputs import Input
 from eom.simulate.progress import Progress
-from eom.simulate.channels import STATE
 from eom.simulate.report import events
 from eom.simulate.request import Request, checked
 from eom.simulate.runs import Runs
@@ -81,6 +79,7 @@ def simulate_many(
     DescriptionError, EquilibriumError
         If the parameters of a case make no vehicle, or one without straight run.
     """
+    check_kind(model)
     asked = requests(model, cases, duration, blocks, wires or {}, (sample, method, step, tolerance))
     one, names = asked[0], every_name(model)
     columns = chosen(keep, names)
@@ -148,11 +147,10 @@ def prepared(
     made, parameters = parameters_of(models, equations)
     starts, inputs = [], []
     for k, (own, case) in enumerate(zip(models, asked, strict=True)):
-        try:
-            x, u = at_start(own, cases[k].speed)
-            inputs.append(driven(case.inputs, model.inputs, u, case.duration))
-        except SimulationError as error:
-            raise SimulationError(f"case {k}: {error}") from error.__cause__
+        x, u = at_start(own, cases[k].speed)
+        inputs.append(driven(case.inputs, model.inputs, u))
+        if inputs[-1].until <= 0.0:
+            raise SimulationError(f"case {k}: {inputs[-1].why}: nothing can be simulated") from inputs[-1].cause
         for name, value in case.start.items():
             x[model.states.index(name)] = value
         starts.append(x)
@@ -193,12 +191,12 @@ def gone_through(own: Fleet, asked: Request) -> list[tuple[float, Array]]:
     with Progress(f"simulating {len(own.clock)} cases", asked.duration) as progress:
         if not wiring.blocks:
             while own.going(asked.duration):
-                own.go_on(asked.duration, progress.next_stop(own.time, SLICE))
+                own.go_on(asked.duration, progress.next_stop(own.time, SLICE), closed=True)
                 progress.reached(own.time)
             return held
         ports = begun(wiring, len(own.clock))
         for time, due in sample_times(wiring):
-            own.go_on(min(time, asked.duration), np.inf)
+            own.go_on(min(time, asked.duration), np.inf, closed=time >= asked.duration)
             progress.reached(min(time, asked.duration))
             if time >= asked.duration:
                 break

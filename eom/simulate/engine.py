@@ -14,11 +14,12 @@ from eom.simulate.accepted import look
 from eom.simulate.advance import KEPT, advance
 from eom.simulate.equations import Equations
 from eom.simulate.signal_pieces import Driven
+from eom.simulate.stiffness import NUDGE
 
 FIRST_STEP = 1e-3
 """Step [s] with which adaptive methods begin."""
-ROOM = 256
-"""Events for which there is room before the loops stop to make more."""
+ROOM = 64
+"""Events for which there is room besides one of each limit, before the loops stop to make more."""
 
 
 @dataclass
@@ -69,16 +70,17 @@ class Engine:
         driven = self.driven
         self.look(self.call, self.time, self.at, self.v, self.work, driven.pieces, driven.signals)
 
-    def go_on(self, until: float, pause: float) -> int:
-        """Go on to an instant, or past a pause; says how it ended."""
+    def go_on(self, until: float, pause: float, *, closed: bool) -> int:
+        """Go on to an instant, or past a pause; says how it ended. A sample there is left for later if not *closed*."""
         while True:
-            room = np.zeros((ROOM, of.EVENT_STATE + len(self.state)))
+            room = np.zeros((room_of(self.margins.shape[1]), of.EVENT_STATE + len(self.state)))
             self.counts[of.EVENTS] = 0
             driven = self.driven
             status = self.advance(
                 self.call,
                 until,
                 pause,
+                closed,
                 self.settings,
                 self.clock,
                 self.counts,
@@ -117,22 +119,23 @@ def engine(
     work = np.ones(size)
     work[:inputs] = driven.base
     work[inputs : inputs + len(parameters)] = parameters
+    clock, v = beginning(equations, x, driven, settings[1])
     fast = installed()
     return Engine(
         call=program.address if fast else python_call(program, parameters),
         advance=compiled_function(advance) if fast else advance,
         look=compiled_function(look) if fast else look,
         settings=np.array(settings, dtype=float),
-        clock=first_clock(settings[1]),
+        clock=clock,
         counts=np.zeros(of.COUNTS, dtype=np.int64),
-        margins=np.zeros((2, limits)),
+        margins=np.zeros((3, limits)),
         times=times,
         columns=np.arange(n + inputs + outputs),
         rows=np.zeros((len(times), n + inputs + outputs)),
         events=[],
         terminal=np.array([limit.ends for limit in equations.limits], dtype=bool),
         at=at,
-        v=first_vectors(equations, x),
+        v=v,
         work=work,
         driven=driven,
         implicit=(np.zeros((n, n)), np.zeros((n, n)), np.zeros(n, dtype=np.int64)),
@@ -147,20 +150,34 @@ def places(program: Program, inputs: int) -> tuple[Any, int]:
     return at, int(begins[-1]) + n + limits + outputs
 
 
-def first_clock(largest: float) -> Array:
-    """The clock at the start, for a largest step [s]."""
-    clock = np.zeros(of.CLOCK)
-    clock[of.STEP], clock[of.AGE], clock[of.METHOD_NOW] = min(FIRST_STEP, largest), KEPT, of.DORMAND_PRINCE
-    return clock
+def room_of(limits: int) -> int:
+    """Events for which there is room: of every limit one may happen at once."""
+    return 2 * limits + ROOM
 
 
-def first_vectors(equations: Equations, x: Array) -> Array:
-    """The vectors over the states at the start, (vectors, n)."""
+def beginning(equations: Equations, x: Array, driven: Driven, largest: float) -> tuple[Array, Array]:
+    """Clock and vectors over the states of a run that starts in a state, with steps up to a largest one [s]."""
     v = np.zeros((of.VECTORS, len(x)))
     v[of.X], v[of.SIZE], v[of.GROWING] = x, equations.size, equations.growing
-    # any direction that has a share of all motions
-    v[of.DIRECTION] = equations.size * np.cos(np.arange(len(x)) ** 2)
-    return v
+    clock = np.zeros(of.CLOCK)
+    clock[of.STEP], clock[of.AGE], clock[of.METHOD_NOW] = min(FIRST_STEP, largest), KEPT, of.DORMAND_PRINCE
+    clock[of.ROOT], v[of.DIRECTION] = fastest_root(equations, x, driven.base)
+    return clock, v
+
+
+def fastest_root(equations: Equations, x: Array, u: Array) -> tuple[float, Array]:
+    """Magnitude of the fastest root at a state [1/s], and its direction, (n,)."""
+    steps = NUDGE * (equations.size + equations.growing * np.abs(x))
+    at = equations.ready.results(x, u, 0)
+    moved = [equations.ready.results(x + step * row, u, 0) for step, row in zip(steps, np.eye(len(x)), strict=True)]
+    slopes = (np.array(moved) - at).T / steps
+    if not np.all(np.isfinite(slopes)):
+        return 0.0, equations.size.copy()
+    values, vectors = np.linalg.eig(slopes)
+    fastest = int(np.argmax(np.abs(values)))
+    own = vectors[:, fastest]
+    # of a pair any combination, here one with a share of both parts
+    return float(np.abs(values[fastest])), np.asarray(own.real + own.imag)
 
 
 def python_call(program: Program, parameters: Array) -> Callable[..., None]:

@@ -35,10 +35,14 @@ class Equations(NamedTuple):
     growing: Array
 
 
-def equations_of(model: Model) -> Equations:
-    """The equations of a model; raises `SimulationError` for what is none."""
+def check_kind(model: object) -> None:
+    """Raise `SimulationError` for what is no model."""
     if not isinstance(model, TyreModel | LinearModel):
         raise SimulationError(f"{type(model).__name__} is no model: expected what eom.build or eom.linearise give")
+
+
+def equations_of(model: Model) -> Equations:
+    """The equations of a model."""
     growing = np.ones(len(model.states))
     # place and heading of the whole grow without meaning
     growing[list(model.cyclic) if isinstance(model, LinearModel) else [0, 1, 2]] = 0.0

@@ -12,7 +12,7 @@ from eom.assembly.vectors import Array
 from eom.program.compiled import compiled_function, installed
 from eom.program.make import Program
 from eom.simulate import memory as of
-from eom.simulate.engine import first_clock, first_vectors, places, python_call
+from eom.simulate.engine import beginning, places, python_call, room_of
 from eom.simulate.equations import Equations
 from eom.simulate.lanes import Lanes
 from eom.simulate.many import advance_many, observe_many
@@ -21,8 +21,6 @@ from eom.simulate.report import sentence
 from eom.simulate.signal_pieces import Driven
 from eom.splice.limits import Limit
 
-ROOM = 64
-"""Events of a case for which there is room before more is made."""
 AT_ONCE = 8
 """Cases that a thread takes at a time."""
 
@@ -70,13 +68,13 @@ class Fleet:
         """Whether a case has not ended yet."""
         return bool(np.any((self.status == of.DONE) & (self.clock[:, of.TIME] < np.minimum(duration, self.until))))
 
-    def go_on(self, instant: float, pause: float) -> None:
+    def go_on(self, instant: float, pause: float, *, closed: bool) -> None:
         """Go on with all cases that have not ended, until an instant [s] or the end of a case's inputs, or a pause."""
         until = np.minimum(instant, self.until)
         while True:
             self.counts[:, of.EVENTS] = 0
-            room = np.zeros((len(self.clock), ROOM, of.EVENT_STATE + self.v.shape[2]))
-            self.some(lambda cases: self.advance(cases, until, pause, room))
+            room = np.zeros((len(self.clock), room_of(self.margins.shape[2]), of.EVENT_STATE + self.v.shape[2]))
+            self.some(lambda cases: self.advance(cases, until, pause, closed, room))
             for c in np.flatnonzero(self.counts[:, of.EVENTS]):
                 self.events[c].append(room[c, : self.counts[c, of.EVENTS]].copy())
             full = self.status == of.FULL
@@ -84,14 +82,15 @@ class Fleet:
                 return
             self.status[full] = of.DONE
 
-    def advance(self, cases: Any, until: Array, pause: float, room: Array) -> None:
+    def advance(self, cases: Any, until: Array, pause: float, closed: bool, room: Array) -> None:
         """Go on with some cases."""
         if not installed() and int(self.settings[of.METHOD]) == of.RUNGE_KUTTA:
-            Lanes(self, cases).go_on(until, pause, room)
+            Lanes(self, cases).go_on(until, pause, closed, room)
             return
         arguments = (
             until,
             pause,
+            closed,
             self.settings,
             self.clock,
             self.counts,
@@ -169,21 +168,21 @@ def fleet(
     work[:, :m] = [item.base for item in inputs]
     work[:, m : m + len(parameters)] = parameters.T
     pieces, signals = joined_signals(inputs)
-    v = np.array([first_vectors(equations, x) for x in starts])
+    begun = begun_alike(equations, parameters, starts, inputs, settings[1])
     return Fleet(
         program=program,
         parameters=parameters,
         settings=np.array(settings, dtype=float),
-        clock=np.array([first_clock(settings[1])] * cases),
+        clock=np.array([clock for clock, _ in begun]),
         counts=np.zeros((cases, of.COUNTS), dtype=np.int64),
-        margins=np.zeros((cases, 2, limits)),
+        margins=np.zeros((cases, 3, limits)),
         times=times,
         columns=columns,
         rows=np.full((cases, len(times), len(columns)), np.nan),
         events=[[] for _ in range(cases)],
         terminal=np.array([limit.ends for limit in equations.limits], dtype=bool),
         at=at,
-        v=v,
+        v=np.array([v for _, v in begun]),
         work=work,
         pieces=pieces,
         signals=signals,
@@ -195,6 +194,21 @@ def fleet(
         inputs=inputs,
         threads=threads or os.cpu_count() or 1,
     )
+
+
+def begun_alike(
+    equations: Equations, parameters: Array, starts: Sequence[Array], inputs: Sequence[Driven], largest: float
+) -> list[tuple[Array, Array]]:
+    """Clock and vectors of each case; those that start alike share the search for the fastest root."""
+    known: dict[bytes, tuple[Array, Array]] = {}
+    result = []
+    for own, x, item in zip(parameters.T, starts, inputs, strict=True):
+        key = own.tobytes() + x.tobytes() + item.base.tobytes()
+        if key not in known:
+            ready = equations.ready._replace(parameters=np.ascontiguousarray(own))
+            known[key] = beginning(equations._replace(ready=ready), x, item, largest)
+        result.append(known[key])
+    return result
 
 
 def joined_signals(inputs: Sequence[Driven]) -> tuple[Array, Any]:

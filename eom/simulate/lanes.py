@@ -9,10 +9,10 @@ import numpy as np
 
 from eom.assembly.vectors import Array
 from eom.simulate import memory as of
-from eom.simulate.advance import GUARD, LOOK, STABLE_4
 from eom.simulate.accepted import LOCATED
+from eom.simulate.advance import GUARD, LOOK, STABLE_4
 from eom.simulate.pieces import CURSOR, DEGREE, FIRST, INPUT, LAST
-from eom.simulate.stiffness import AGAIN, FIRST as AT_FIRST, NUDGE
+from eom.simulate.stiffness import NUDGE
 
 if TYPE_CHECKING:
     from eom.simulate.fleet import Fleet
@@ -55,6 +55,7 @@ class Lanes:
         self.time, self.root, self.looked = (fleet.clock[cases, k] for k in (of.TIME, of.ROOT, of.LOOKED))
         self.status = fleet.status[cases]
         self.stop = np.zeros(len(cases), dtype=np.int64)
+        self.margins = np.ascontiguousarray(fleet.margins[cases, of.BEFORE].T)
 
     def fill(self, t: Array, before: Any, cases: Any) -> Array:
         """Inputs of some cases, each at an instant, at a joint *before* it or after, (inputs, cases)."""
@@ -89,13 +90,15 @@ class Lanes:
         ratio = change / (self.size + self.growing * np.abs(self.x))
         return np.asarray(np.sqrt(np.mean(ratio * ratio, axis=0)))
 
-    def go_on(self, until: Array, pause: float, room: Array) -> None:
+    def go_on(self, until: Array, pause: float, closed: bool, room: Array) -> None:
         """Go on to instants [s], one for every case of the fleet, or past a pause."""
         until, pausing = until[self.cases], np.minimum(until[self.cases], pause)
         self.find_stops()
         active = (self.status == of.DONE) & (self.time < pausing)
-        f, margins = self.start()
-        self.sample(Step(self.time, 0.0 * self.time, self.x, self.x, f, f), self.time, active)
+        f, margins = self.start(self.margins, active, room)
+        begun = active | (self.status == of.TERMINAL) & (self.time < pausing)
+        self.sample(Step(self.time, 0.0 * self.time, self.x, self.x, f, f), self.time, begun, begun)
+        active &= self.status == of.DONE
         while np.any(active):
             self.look(f, active)
             following = self.following()
@@ -109,22 +112,27 @@ class Lanes:
             self.ended(active & ~np.isfinite(wrong), of.DIVERGED, active)
             self.ended(active & ~(wrong <= GUARD), of.INACCURATE, active)
             taken = Step(self.time, np.where(active, h, 0.0), self.x, np.where(active, new, self.x), f, f_new)
-            now = np.where(h == left, end, self.time + h)
-            now = self.events(taken, np.where(active, now, self.time), margins, new_margins, active, room)
-            self.sample(taken, now, active)
-            self.x = np.where(
-                self.status == of.TERMINAL, taken.at((now - taken.t) / np.where(h > 0.0, h, 1.0)), taken.new
-            )
-            self.x = np.where(active | (self.status == of.TERMINAL), self.x, taken.x)
+            now = np.where(active, np.where(h == left, end, self.time + h), self.time)
+            reach = self.events(taken, margins, new_margins, active, room)
+            cut = active & (reach <= 1.0)
+            ended = np.where(cut, taken.t + reach * taken.h, now)
+            self.sample(taken, ended, active, closed | (ended < until))
+            self.x = np.where(cut, taken.at(np.where(cut, reach, 1.0)), taken.new)
+            self.status[cut] = of.TERMINAL
             self.fleet.counts[self.cases[active], of.RUNGE_KUTTA] += 1
-            f, margins, self.time = np.where(active, f_new, f), np.where(active, new_margins, margins), now
-            active &= self.status == of.DONE
-            joint = active & (now == following)
+            f, margins = np.where(active, f_new, f), np.where(active, new_margins, margins)
+            joint, self.time = active & ~cut & (now == following) & (now < until), ended
             self.stop += joint
-            active &= self.time < pausing
+            active &= ~cut
             if np.any(joint):
-                f, margins = self.start()
-        self.hand_back()
+                found = self.start(margins, joint, room)
+                f, margins = np.where(joint, found[0], f), np.where(joint, found[1], margins)
+                active &= self.status == of.DONE
+            active &= self.time < pausing
+            if np.any(self.fleet.counts[self.cases, of.EVENTS] + self.limits > room.shape[1]):
+                # more room is made before it goes on
+                self.ended(active.copy(), of.FULL, active)
+        self.hand_back(margins)
 
     def find_stops(self) -> None:
         """The stop that comes next in each case."""
@@ -138,24 +146,58 @@ class Lanes:
         padded = np.append(self.fleet.stops, np.inf)
         return np.where(there, padded[np.minimum(self.stop, len(self.fleet.stops))], np.inf)
 
-    def start(self) -> tuple[Array, Array]:
-        """Rates and margins at the instants from which to go on."""
+    def start(self, before: Array, starting: Any, room: Array) -> tuple[Array, Array]:
+        """Rates and margins at the instants from which to go on; limits that are crossed there in cases that start."""
         found = self.results(self.time, np.zeros(len(self.time), dtype=bool), self.x, 1)
-        return found[: self.n], found[self.n :]
+        f, margins = found[: self.n], found[self.n :]
+        limit, lane = np.nonzero(((before < 0.0) != (margins < 0.0)) & starting)
+        for k in np.lexsort((limit, lane)):
+            reached = bool(margins[limit[k], lane[k]] < 0.0)
+            self.note(lane[k], self.time[lane[k]], limit[k], reached, self.x[:, lane[k]], room)
+            if reached and self.fleet.terminal[limit[k]]:
+                self.status[lane[k]] = of.TERMINAL
+        return f, margins
+
+    def note(self, lane: int, t: float, limit: int, reached: bool, x: Array, room: Array) -> None:
+        """Write an event down; there is room for those of many steps, and one case that has none left is wrong."""
+        case = self.cases[lane]
+        event = self.fleet.counts[case, of.EVENTS]
+        room[case, event, : of.EVENT_STATE] = t, limit, reached
+        room[case, event, of.EVENT_STATE :] = x
+        self.fleet.counts[case, of.EVENTS] += 1
 
     def look(self, f: Array, active: Any) -> None:
-        """Look for the fastest roots, all at once when it is time for one."""
-        due = active & ((self.root == 0.0) | (self.time > self.looked + LOOK - self.fleet.settings[of.LARGEST]))
+        """Look for the fastest roots again where it is time, as `eom.simulate.stiffness.fastest`."""
+        step = np.minimum(self.fleet.clock[self.cases, of.STEP], LOOK)
+        due = active & (self.time + step > self.looked + LOOK)
         if not np.any(due):
             return
-        for _ in range(AT_FIRST if np.any(self.root[due] == 0.0) else AGAIN):
-            step = NUDGE / self.size_of(self.direction)
-            near = self.results(self.time, np.zeros(len(self.time), dtype=bool), self.x + step * self.direction, 0)
-            root = self.size_of(near - f) / NUDGE
-            good = due & (root > 0.0) & np.isfinite(root)
-            self.direction = np.where(good, (near - f) / np.where(good, root, 1.0), self.direction)
-            self.root = np.where(due, root, self.root)
+        once = self.change(self.direction, f)
+        again = self.change(once, f)
+        size = self.size + self.growing * np.abs(self.x)
+        d, e, g = self.direction / size, once / size, again / size
+        dd, de, ee = np.sum(d * d, axis=0), np.sum(d * e, axis=0), np.sum(e * e, axis=0)
+        df, ef = np.sum(d * g, axis=0), np.sum(e * g, axis=0)
+        apart = ee * dd - de * de
+        with np.errstate(all="ignore"):
+            a, b = (ef * dd - df * de) / apart, (ee * df - de * ef) / apart
+            inner = a * a + 4.0 * b
+            pair = np.where(
+                inner >= 0.0, 0.5 * (np.abs(a) + np.sqrt(np.maximum(inner, 0.0))), np.sqrt(np.maximum(-b, 0.0))
+            )
+            root = np.where(apart > 1e-8 * ee * dd, pair, np.sqrt(ee / dd))
+            length = self.size_of(again)
+            good = due & (length > 0.0) & np.isfinite(length)
+            self.direction = np.where(good, again / np.where(good, length, 1.0), self.direction)
+        self.root = np.where(due & np.isfinite(root), root, self.root)
         self.looked = np.where(due, self.time, self.looked)
+
+    def change(self, direction: Array, f: Array) -> Array:
+        """The Jacobians times directions, by differences."""
+        length = self.size_of(direction)
+        step = NUDGE / np.where(length > 0.0, length, np.inf)
+        near = self.results(self.time, np.zeros(len(self.time), dtype=bool), self.x + step * direction, 0)
+        return np.asarray(np.where(step > 0.0, (near - f) / np.where(step > 0.0, step, 1.0), 0.0))
 
     def step(self, h: Array, f: Array) -> tuple[Array, Array, Array, Array]:
         """State, rates, margins at the end of a step, and its error, as `eom.simulate.steps.runge_kutta`."""
@@ -172,56 +214,48 @@ class Lanes:
         self.status[cases] = status
         active &= ~cases
 
-    def events(self, step: Step, now: Array, margins: Array, new: Array, active: Any, room: Array) -> Array:
-        """Note the limits that are crossed in a step; the instants to which the cases get."""
+    def events(self, step: Step, margins: Array, new: Array, active: Any, room: Array) -> Array:
+        """Note the limits that are crossed in a step; the share of it after which each case ends, 2 if it does not."""
+        reach = np.full(len(self.time), 2.0)
         limit, lane = np.nonzero(((margins < 0.0) != (new < 0.0)) & active)
         if not limit.size:
-            return now
+            return reach
         share = self.crossings(step.of(lane), limit, margins[limit, lane], new[limit, lane], lane)
-        states = step.of(lane).at(share).T
+        reached = new[limit, lane] < 0.0
+        ending = self.fleet.terminal[limit] & reached
+        np.minimum.at(reach, lane[ending], share[ending])
+        states = step.of(lane).at(share)
         for k in np.lexsort((limit, lane)):
-            case, reached = self.cases[lane[k]], new[limit[k], lane[k]] < 0.0
-            at = step.t[lane[k]] + share[k] * step.h[lane[k]]
-            if reached and self.fleet.terminal[limit[k]] and at < now[lane[k]]:
-                now[lane[k]], self.status[lane[k]] = at, of.TERMINAL
-            event = self.fleet.counts[case, of.EVENTS]
-            if event == room.shape[1]:
-                if self.status[lane[k]] == of.DONE:
-                    self.status[lane[k]] = of.FULL
-                continue
-            room[case, event, : of.EVENT_STATE] = at, limit[k], reached
-            room[case, event, of.EVENT_STATE :] = states[k]
-            self.fleet.counts[case, of.EVENTS] += 1
-        return now
+            if share[k] <= min(reach[lane[k]], 1.0):
+                at = step.t[lane[k]] + share[k] * step.h[lane[k]]
+                self.note(lane[k], at, limit[k], bool(reached[k]), states[:, k], room)
+        return reach
 
     def crossings(self, step: Step, limit: Any, below: Array, above: Array, lane: Any) -> Array:
         """Shares of the steps at which margins are zero, as `eom.simulate.accepted.crossing`."""
         lower, upper, left, right, ends = 0.0 * below, 0.0 * below + 1.0, below.copy(), above.copy(), above < 0.0
-        open_ = np.ones(len(limit), dtype=bool)
-        for _ in range(60):
-            open_ &= upper - lower > LOCATED
-            if not np.any(open_):
-                break
-            share = lower + (upper - lower) * left / np.where(left == right, 1.0, left - right)
-            share = np.clip(share, lower + 0.25 * LOCATED, upper - 0.25 * LOCATED)
+        halve = np.zeros(len(limit), dtype=bool)
+        while np.any(upper - lower > LOCATED):
+            going, width = upper - lower > LOCATED, upper - lower
+            line = lower + width * left / np.where(left == right, 1.0, left - right)
+            share = np.where(halve, lower + 0.5 * width, np.clip(line, lower + 0.25 * LOCATED, upper - 0.25 * LOCATED))
             before = np.ones(len(limit), dtype=bool)
-            found = self.results(step.t + share * step.h, before, step.at(share), 1, lane)[
-                self.n + limit, np.arange(len(limit))
-            ]
+            results = self.results(step.t + share * step.h, before, step.at(share), 1, lane)
+            found = results[self.n + limit, np.arange(len(limit))]
             same = (found < 0.0) == ends
-            beyond, nearer = open_ & same, open_ & ~same
+            beyond, nearer = going & same, going & ~same
             upper, right = np.where(beyond, share, upper), np.where(beyond, found, np.where(nearer, 0.5 * right, right))
             lower, left = np.where(nearer, share, lower), np.where(nearer, found, np.where(beyond, 0.5 * left, left))
-            open_ &= found != 0.0
+            halve = np.where(going, upper - lower > 0.5 * width, halve)
         return upper
 
-    def sample(self, step: Step, end: Array, active: Any) -> None:
-        """Fill in the samples that are due until the instants to which the cases get."""
+    def sample(self, step: Step, end: Array, active: Any, closed: Any) -> None:
+        """Fill in the samples that are due until the instants to which the cases get, those at *closed* ones too."""
         fleet, counts = self.fleet, self.fleet.counts
         padded = np.append(fleet.times, np.inf)
         while True:
             instants = padded[np.minimum(counts[self.cases, of.SAMPLES], len(fleet.times))]
-            due = np.flatnonzero((instants <= end) & (active | (self.status == of.TERMINAL)))
+            due = np.flatnonzero(active & ((instants < end) | ((instants == end) & closed)))
             if not due.size:
                 return
             t, own = instants[due], step.of(due)
@@ -233,8 +267,8 @@ class Lanes:
             fleet.rows[rows, counts[rows, of.SAMPLES]] = every[fleet.columns].T
             counts[rows, of.SAMPLES] += 1
 
-    def hand_back(self) -> None:
-        """Leave everything where other ways of going on find it."""
+    def hand_back(self, margins: Array) -> None:
+        """Leave everything where the next time finds it."""
         fleet, cases = self.fleet, self.cases
         fleet.v[cases, of.X], fleet.v[cases, of.DIRECTION] = self.x.T, self.direction.T
         fleet.clock[cases, of.TIME], fleet.clock[cases, of.ROOT] = self.time, self.root
@@ -243,3 +277,4 @@ class Lanes:
             self.status,
             self.signals,
         )
+        fleet.margins[cases, of.BEFORE] = margins.T

@@ -25,6 +25,9 @@ REJECTED, SAMPLES, EVENTS = 4, 5, 6
 COUNTS = 7
 """Of the counts: steps by each method, steps rejected, samples taken, events found."""
 
+BEFORE, NOW, SHARE = range(3)
+"""Rows of the margins: at the state, at the end of a step, share of the step at which each changes its sign."""
+
 EVENT_TIME, EVENT_LIMIT, EVENT_REACHED, EVENT_STATE = range(4)
 """Columns of the events: instant [s], number of the limit, 1 if it was reached and 0 if left, state."""
 

@@ -9,7 +9,10 @@ from eom.assembly.vectors import Array
 from eom.errors import SimulationError
 from eom.simulate import memory as of
 from eom.simulate.blocks import Block
+from eom.simulate.functions import Broken
 from eom.simulate.inputs import Input
+from eom.simulate.sampling_times import multiples
+from eom.simulate.signal_pieces import told
 from eom.simulate.wiring import Named, Wiring, model_inputs, model_signals, wired
 from eom.vehicle.validate import did_you_mean
 
@@ -32,6 +35,7 @@ class Request(NamedTuple):
     Attributes
     ----------
     inputs : Mapping
+        Constants and pieces.
     duration : float
         [s]
     start : Mapping
@@ -44,7 +48,7 @@ class Request(NamedTuple):
         Method, largest or fixed step [s], tolerance.
     """
 
-    inputs: Mapping[str, Input]
+    inputs: Mapping[str, float | Broken]
     duration: float
     start: Mapping[str, float]
     wiring: Wiring
@@ -76,6 +80,13 @@ def checked(
         mistakes.append(f"method = {method!r}: expected {', '.join(METHODS)}{did_you_mean(method, METHODS)}")
     elif method == "rk4" and step is None:
         mistakes.append("method = 'rk4' needs a step, such as step=1e-3")
+    usable = np.isfinite(duration) and duration > 0.0
+    found: dict[str, float | Broken] = {}
+    for name, item in inputs.items():
+        try:
+            found[name] = told(item, name, duration if usable else 1.0)
+        except SimulationError as error:
+            mistakes.append(str(error))
     wiring = None
     try:
         wiring = wired(blocks, wires, model_signals(model), model_inputs(model))
@@ -83,10 +94,8 @@ def checked(
         mistakes += str(error).splitlines()
     if mistakes or wiring is None:
         raise SimulationError("\n".join(mistakes))
-    count = int(np.floor(duration / sample * (1.0 + 1e-12) + 1e-9))
-    times = np.minimum(np.arange(count + 1) * sample, duration)
     settings = METHODS[method], LARGEST_STEP if step is None else step, tolerance
-    return Request(inputs, duration, start or {}, wiring, times, method, settings)
+    return Request(found, duration, start or {}, wiring, multiples(sample, duration), method, settings)
 
 
 def unknown(kind: str, names: Mapping[str, object], known: tuple[str, ...]) -> Iterator[str]:

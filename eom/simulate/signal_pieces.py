@@ -1,14 +1,14 @@
 """Each way to tell an input as pieces of polynomials."""
 
 from collections.abc import Mapping
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from eom.assembly.vectors import Array
 from eom.errors import SimulationError
 from eom.simulate.functions import NODES as INNER
-from eom.simulate.functions import Broken, pieces_of, row
+from eom.simulate.functions import Broken, pieces_of, row_of
 from eom.simulate.inputs import Constant, Input, Sine, Steps, Table
 from eom.simulate.pieces import DEGREE
 
@@ -30,7 +30,7 @@ class Driven(NamedTuple):
     until : float
         Until when all of them hold [s].
     why : str
-        Which ends there, and why.
+        Which ends there, and why; ``cause`` is the exception that did it, if one did.
     """
 
     base: Array
@@ -39,51 +39,33 @@ class Driven(NamedTuple):
     stops: Array
     until: float
     why: str
+    cause: Exception | None
 
 
-def driven(inputs: Mapping[str, Input], names: tuple[str, ...], base: Array, duration: float) -> Driven:
-    """Inputs by name as pieces; *base* are those of the start.
-
-    Raises `SimulationError` with a sentence for every one that cannot be.
-    """
-    base, mistakes = base.copy(), []
-    found: list[tuple[int, Broken]] = []
-    for name, item in inputs.items():
-        place = names.index(name)
-        try:
-            if isinstance(item, Constant | float | int):
-                base[place] = constant(item, name)
-            else:
-                found.append((place, pieces(item, name, duration)))
-        except SimulationError as error:
-            mistakes.append(error)
-    if mistakes:
-        raise SimulationError("\n".join(map(str, mistakes))) from mistakes[0].__cause__
-    begin, signals = 0, []
-    for place, own in found:
-        signals.append((place, begin, begin + len(own.rows) - 1, begin))
+def driven(inputs: Mapping[str, float | Broken], names: tuple[str, ...], base: Array) -> Driven:
+    """Inputs by name, constants or pieces, together; *base* are those of the start."""
+    base, begin, signals = base.copy(), 0, []
+    changing = {name: item for name, item in inputs.items() if isinstance(item, Broken)}
+    for name, value in inputs.items():
+        if not isinstance(value, Broken):
+            base[names.index(name)] = value
+    for name, own in changing.items():
+        signals.append((names.index(name), begin, begin + len(own.rows) - 1, begin))
         begin += len(own.rows)
-    last = min((own for _, own in found), key=lambda own: own.until, default=None)
+    last = min(changing.values(), key=lambda own: own.until, default=None)
     return Driven(
         base,
-        np.concatenate([np.empty((0, DEGREE + 2)), *(own.rows for _, own in found)]),
+        np.concatenate([np.empty((0, DEGREE + 2)), *(own.rows for own in changing.values())]),
         np.array(signals, dtype=np.int64).reshape(-1, 4),
-        np.unique(np.concatenate([np.empty(0), *(own.stops for _, own in found)])),
+        np.unique(np.concatenate([np.empty(0), *(own.stops for own in changing.values())])),
         AFTER if last is None else last.until,
         "" if last is None else last.why,
+        None if last is None else last.cause,
     )
 
 
-def constant(item: Constant | float, name: str) -> float:
-    """The value of what does not change."""
-    value = float(item.value if isinstance(item, Constant) else item)
-    if not np.isfinite(value):
-        raise SimulationError(f"input {name} is {value}, expected a finite number")
-    return value
-
-
-def pieces(item: Input, name: str, duration: float) -> Broken:
-    """The pieces of an input that changes."""
+def told(item: Input, name: str, duration: float) -> float | Broken:
+    """An input as a constant or as pieces; raises `SimulationError` for one that cannot be."""
     match item:
         case Sine():
             return sine(item, name)
@@ -91,10 +73,22 @@ def pieces(item: Input, name: str, duration: float) -> Broken:
             return table(item, name)
         case Steps():
             return steps(item, name)
+        case Constant():
+            return constant(item.value, name)
         case _ if callable(item):
             return pieces_of(item, name, duration)
+        case _ if np.ndim(item) == 0 and np.asarray(item).dtype.kind in "fiu":
+            return constant(item, name)
     expected = "a number, a function of time, or one of Constant, Sine, Table, Steps"
     raise SimulationError(f"input {name} is of type {type(item).__name__}: expected {expected}")
+
+
+def constant(item: Any, name: str) -> float:
+    """The value of what does not change."""
+    value = float(item)
+    if not np.isfinite(value):
+        raise SimulationError(f"input {name} is {value}, expected a finite number")
+    return value
 
 
 def sine(item: Sine, name: str) -> Broken:
@@ -107,7 +101,7 @@ def sine(item: Sine, name: str) -> Broken:
     rows[0][0] = item.start - 1.0
     for k in range(count):
         phase = 2.0 * np.pi * item.cycles * (k + INNER) / count
-        rows.append(row(item.start + k * length, length, item.amplitude * np.sin(phase)))
+        rows.append(row_of(item.start + k * length, length, item.amplitude * np.sin(phase)))
     end = item.start + item.cycles / item.frequency
     rows.append(np.array([end, *np.zeros(DEGREE + 1)]))
     return Broken(np.array(rows), np.array([item.start, end]), AFTER, "")
@@ -151,10 +145,11 @@ def table(item: Table, name: str) -> Broken:
 
 def steps(item: Steps, name: str) -> Broken:
     """Values that are held."""
+    every, _ = checked(item, name)
     time, value, until, why = finite_part(*checked(item, name), name)
-    if why and np.isfinite(until):
-        # the last finite value is held up to the wrong one
-        until = float(np.asarray(item.time, dtype=float)[len(time)])
+    if why:
+        # what is there before is held up to the wrong value
+        until = float(every[len(time)])
     rows = np.zeros((len(time) + 1, DEGREE + 2))
     rows[0, 0] = (time[0] if len(time) else 0.0) - 1.0
     rows[1:, 0], rows[1:, 1] = time, value

@@ -10,7 +10,7 @@ from eom.errors import SimulationError
 from eom.simulate import memory as of
 from eom.simulate.blocks import Block
 from eom.simulate.engine import Engine, engine
-from eom.simulate.equations import Equations, Model, at_start, equations_of
+from eom.simulate.equations import Equations, Model, at_start, check_kind, equations_of
 from eom.simulate.inputs import Input
 from eom.simulate.progress import Progress
 from eom.simulate.report import Told, run_of, sentence
@@ -90,6 +90,7 @@ def simulate(
     EquilibriumError
         If there is no straight run at the speed.
     """
+    check_kind(model)
     asked = checked(model, inputs, duration, start, blocks, wires or {}, sample, method, step, tolerance)
     x, u = at_start(model, speed)
     for name, value in asked.start.items():
@@ -102,9 +103,9 @@ def simulate(
 
 def begin(model: Model, equations: Equations, asked: Request, x: Array, u: Array) -> Engine:
     """The run before its first step."""
-    signals = driven(asked.inputs, model.inputs, u, asked.duration)
-    if signals.until < 0.0:
-        raise SimulationError(f"{signals.why}: nothing can be simulated")
+    signals = driven(asked.inputs, model.inputs, u)
+    if signals.until <= 0.0:
+        raise SimulationError(f"{signals.why}: nothing can be simulated") from signals.cause
     with Progress(f"compiling {name_of(model)}"):
         return engine(equations, x, signals, asked.times, asked.settings)
 
@@ -126,28 +127,30 @@ class Running(NamedTuple):
         try:
             with Progress(f"simulating {name_of(self.model)}", until) as progress:
                 for instant in self.instants(until, held):
-                    status = self.to(instant, progress)
+                    status = self.to(instant, until, progress)
                     if status != of.DONE:
                         break
         except KeyboardInterrupt:
-            partial = self.run(held, f"interrupted at {own.time:.6g} s")
-            raise RunInterrupted(partial) from None
+            if not own.counts[of.SAMPLES]:
+                raise
+            raise RunInterrupted(self.run(held, f"interrupted at {own.time:.6g} s")) from None
         except SimulationError as error:
-            raise SimulationError(str(error), self.run(held, str(error))) from error.__cause__
+            partial = self.run(held, str(error)) if own.counts[of.SAMPLES] else None
+            raise SimulationError(str(error), partial) from error.__cause__
         if status == of.DONE and until < asked.duration:
             why = own.driven.why
         elif status != of.DONE:
             why = sentence(status, own.clock, own.settings, own.events, self.equations.limits)
         run = self.run(held, why)
         if why and status != of.TERMINAL:
-            raise SimulationError(why, run)
+            raise SimulationError(why, run) from own.driven.cause
         return run
 
-    def to(self, instant: float, progress: Progress) -> int:
+    def to(self, instant: float, until: float, progress: Progress) -> int:
         """Go on to an instant, in slices that let progress be seen; says how it ended."""
-        status = of.DONE
+        status, closed = of.DONE, instant == until
         while self.engine.time < instant and status == of.DONE:
-            status = self.engine.go_on(instant, progress.next_stop(self.engine.time, SLICE))
+            status = self.engine.go_on(instant, progress.next_stop(self.engine.time, SLICE), closed=closed)
             progress.reached(self.engine.time)
         return status
 

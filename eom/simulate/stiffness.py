@@ -4,13 +4,11 @@ from typing import Any
 
 import numpy as np
 
-from eom.simulate.memory import DIRECTION, DRIFT, GROWING, K0, NEW, RIGHT, ROOT, SIZE, X
+from eom.simulate.memory import DIRECTION, DRIFT, GROWING, K0, NEW, RIGHT, ROOT, SIZE, V0, V1, X
 from eom.simulate.steps import GAMMA, rates
 
 NUDGE = 1e-7
 """Relative step of differences."""
-FIRST, AGAIN = 12, 1
-"""Iterations towards the fastest root when nothing is known of it, and later on."""
 
 
 def size_of(row: int, v: Any) -> float:
@@ -25,22 +23,43 @@ def size_of(row: int, v: Any) -> float:
 def fastest(program: Any, t: float, clock: Any, at: Any, v: Any, work: Any, pieces: Any, signals: Any) -> float:
     """Magnitude [1/s] of the fastest root at the state, by iteration along the direction in which rates change most.
 
-    As B. P. Sommeijer, L. F. Shampine, J. G. Verwer, J. Comput. Appl. Math. 88 (1998) 315-326, section 3, find it. It
-    tends to be too large while the direction still turns.
+    As B. P. Sommeijer, L. F. Shampine, J. G. Verwer, J. Comput. Appl. Math. 88 (1998) 315-326, section 3, but with two
+    products: the roots of z^2 = a z + b, where J J d = a J d + b d in least squares, are a pair also if it swings.
     """
-    root = 0.0
-    for _ in range(FIRST if clock[ROOT] == 0.0 else AGAIN):
-        step = NUDGE / size_of(DIRECTION, v)
-        for i in range(v.shape[1]):
-            v[NEW, i] = v[X, i] + step * v[DIRECTION, i]
-        rates(program, t, False, NEW, 0, RIGHT, at, v, work, pieces, signals)
-        for i in range(v.shape[1]):
-            v[RIGHT, i] -= v[K0, i]
-        root = size_of(RIGHT, v) / NUDGE
-        if root > 0.0 and np.isfinite(root):
-            for i in range(v.shape[1]):
-                v[DIRECTION, i] = v[RIGHT, i] / root
-    return root
+    n = v.shape[1]
+    change(program, t, DIRECTION, V0, at, v, work, pieces, signals)
+    change(program, t, V0, V1, at, v, work, pieces, signals)
+    dd = de = ee = df = ef = 0.0
+    for i in range(n):
+        size = v[SIZE, i] + v[GROWING, i] * abs(v[X, i])
+        d, e, f = v[DIRECTION, i] / size, v[V0, i] / size, v[V1, i] / size
+        dd, de, ee, df, ef = dd + d * d, de + d * e, ee + e * e, df + d * f, ef + e * f
+    # d and J d of one direction, or nearly: one root
+    apart = ee * dd - de * de
+    if not (apart > 1e-8 * ee * dd):
+        root = (ee / dd) ** 0.5
+    else:
+        a, b = (ef * dd - df * de) / apart, (ee * df - de * ef) / apart
+        inner = a * a + 4.0 * b
+        root = 0.5 * (abs(a) + inner**0.5) if inner >= 0.0 else (-b) ** 0.5
+    length = size_of(V1, v)
+    if length > 0.0 and np.isfinite(length):
+        for i in range(n):
+            v[DIRECTION, i] = v[V1, i] / length
+    return float(root) if np.isfinite(root) else clock[ROOT]
+
+
+def change(
+    program: Any, t: float, row: int, result: int, at: Any, v: Any, work: Any, pieces: Any, signals: Any
+) -> None:
+    """Set a row to the Jacobian times another one, by a difference."""
+    length = size_of(row, v)
+    step = NUDGE / length if length > 0.0 else 0.0
+    for i in range(v.shape[1]):
+        v[NEW, i] = v[X, i] + step * v[row, i]
+    rates(program, t, False, NEW, 0, result, at, v, work, pieces, signals)
+    for i in range(v.shape[1]):
+        v[result, i] = (v[result, i] - v[K0, i]) / step if step > 0.0 else 0.0
 
 
 def differentiate(program: Any, t: float, jacobian: Any, at: Any, v: Any, work: Any, pieces: Any, signals: Any) -> None:
@@ -59,9 +78,10 @@ def differentiate(program: Any, t: float, jacobian: Any, at: Any, v: Any, work: 
 
 def drift(program: Any, t: float, h: float, at: Any, v: Any, work: Any, pieces: Any, signals: Any) -> None:
     """Set df/dt, which inputs bring that change within a step."""
-    rates(program, t + NUDGE * h, True, X, 0, RIGHT, at, v, work, pieces, signals)
+    later = t + NUDGE * h
+    rates(program, later, True, X, 0, RIGHT, at, v, work, pieces, signals)
     for i in range(v.shape[1]):
-        v[DRIFT, i] = (v[RIGHT, i] - v[K0, i]) / (NUDGE * h)
+        v[DRIFT, i] = (v[RIGHT, i] - v[K0, i]) / (later - t) if later > t else 0.0
 
 
 def factorise(h: float, jacobian: Any, factors: Any, pivots: Any) -> None:

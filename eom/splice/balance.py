@@ -4,15 +4,12 @@ from typing import Any
 
 import numpy as np
 
-from eom.program.arrays import solve_positive
 from eom.splice.contact import ROLL
+from eom.splice.lanes import solve_positive
 from eom.splice.motion import body_velocity, generalised, headed
 from eom.splice.state import Balance, Model, Motion, Rolling, State
-from eom.splice.wheels import lifted, on_bodies, road_forces, torques, wheel_loads
+from eom.splice.wheels import load_slopes, on_bodies, road_forces, torques, wheel_loads
 from eom.tyre.elementary import magnitude, maximum
-
-LIFTED = 1e-100
-"""Load [N] that changes no other one, and keeps the ratio of no force to no load zero."""
 
 
 def passive_forces(state: State, u: Any, at: Motion, p: Model) -> Any:
@@ -47,7 +44,7 @@ def input_forces(u: Any, at: Motion, p: Model) -> Any:
 def accelerations(at: Motion, applied: Any, p: Model) -> tuple[Any, Any, Any]:
     """dn/dt, dw/dt and the reactions of the joints under generalised forces on w, (N,)."""
     body = p.body
-    mass = at.W.T @ (body.M @ at.W)
+    mass = at.mass
     force = at.W.T @ (applied - body.M @ at.drift)
     if body.held:
         dn = np.concatenate((np.zeros(1), solve_positive(mass[1:, 1:], force[1:])))
@@ -73,12 +70,10 @@ def support_loads(state: State, passive: Any, torque: Any, at: Motion, slip: Rol
     """
     c = p.contact
     at_trim = c.carried
-    load = wheel_loads(at, at_trim, p)
+    load, excess = wheel_loads(at, at_trim, p)
     found = road_forces(slip, load, torque, p)
-    by_load = found / (load + LIFTED) + p.bend
-    by_load[0][c.passing] = (by_load[3] / c.radius)[c.passing]
-    slope = on_bodies(by_load, slip, 0.0 * torque, p)
-    on_body = on_bodies(found, slip, torque, p) + lifted(at, load, at_trim, p)
+    slope = load_slopes(found, load, slip, p)
+    on_body = on_bodies(found, excess, slip, torque, p)
     _, _, lacking = accelerations(at, passive + generalised(on_body, at, p), p)
     off = reactions(state, lacking, p)[c.supports] - at_trim
     # a wheel follows its share, with its partner lifted the whole axle's, and lifted nothing
@@ -99,8 +94,8 @@ def balance(state: State, u: Any, at: Motion, slip: Rolling, p: Model) -> Balanc
     assumed = p.contact.carried
     if len(assumed):
         assumed = support_loads(state, passive, torque, at, slip, p)
-    load = wheel_loads(at, assumed, p)
+    load, excess = wheel_loads(at, assumed, p)
     found = road_forces(slip, load, torque, p)
-    on_body = on_bodies(found, slip, torque, p) + lifted(at, load, assumed, p)
+    on_body = on_bodies(found, excess, slip, torque, p)
     dn, dw, lacking = accelerations(at, passive + generalised(on_body, at, p), p)
     return Balance(dn, dw, reactions(state, lacking, p), on_body, found, load, torque, assumed)

@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 
 from eom.assembly.vectors import Array
 from eom.errors import TyreError
-from eom.program.arrays import over_lanes
 from eom.splice.kinds import KINDS
+from eom.splice.lanes import over_lanes
 from eom.tyre.interface import Tyre
 from eom.tyre.stack import stack
 from eom.vehicle.elements import TyreLaw, Wheel

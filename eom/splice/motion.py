@@ -27,7 +27,9 @@ def motion(state: State, p: Model) -> Motion:
     W = body.W + (state.q @ body.W_turn).reshape(shape)
     w, dq, displaced = W @ state.n, body.rate @ state.n, body.T @ state.q
     drift = (dq @ body.W_turn).reshape(shape) @ state.n
-    return Motion(W, w, dq, drift, displaced, headed(w, -displaced[5::6]))
+    i, j = body.pairs
+    mass = body.inert + state.q @ body.inert_turn + (state.q[i] * state.q[j]) @ body.inert_pairs
+    return Motion(W, w, dq, drift, mass.reshape(shape[1], shape[1]), displaced, headed(w, -displaced[5::6]))
 
 
 def body_velocity(at: Motion, v_x: Any) -> Any:

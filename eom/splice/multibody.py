@@ -1,6 +1,6 @@
 """The multibody part: what is left of a vehicle without its tyres, in arrays for the nonlinear equations."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,9 +13,11 @@ from eom.assembly.reduction import Pivots
 from eom.assembly.rows import row_count
 from eom.assembly.tangent import tangent_entries
 from eom.assembly.vectors import Array, skew
-from eom.splice.turning import turning
+from eom.splice.turning import Turning, turning
 from eom.vehicle.elements import System
 
+ROUNDING = 1e-13
+"""Of the largest entry of an array: smaller ones are what rounding left of zero, and cost as much as others."""
 LEAD = (0, 1, 5)
 """Coordinates of the lead body that locate the moving frame: x, y, yaw."""
 
@@ -42,6 +44,10 @@ class Multibody(NamedTuple):
         Displacements of all bodies by q, (N, q).
     W, W_turn : Array
         w = (W + sum_k q_k W_turn[k]) n, shapes (N, n) and (q, N n), the latter flattened.
+    inert, inert_turn, inert_pairs : Array
+        Mass on n: W'M W = inert + sum_k q_k inert_turn[k] + sum_p q_i q_j inert_pairs[p], (n, n) each, flattened.
+    pairs : NDArray
+        The i and j of each p, (2, pairs).
     rate : Array
         dq/dt = rate n.
     react : Array
@@ -73,6 +79,10 @@ class Multibody(NamedTuple):
     T: Array
     W: Array
     W_turn: Array
+    inert: Array
+    inert_turn: Array
+    inert_pairs: Array
+    pairs: NDArray[np.intp]
     rate: Array
     react: Array
     react_turn: Array
@@ -91,7 +101,7 @@ def multibody(system: System, pivots: Pivots, matrices: Matrices, speed: float, 
     own = np.flatnonzero(~np.isin(reduction.independent, LEAD))
     at = reduction.independent[own]
     T, W = reduction.T[:, own], reduction.W
-    turned = turning(system, pivots, matrices.J, reduction, T)
+    turned = Turning(*map(rounded, turning(system, pivots, matrices.J, reduction, T)))
     lead = np.searchsorted(reduction.independent, LEAD)
     rate = W[at].copy()
     rate[:, lead] -= frame_motion(system)[at]
@@ -99,8 +109,8 @@ def multibody(system: System, pivots: Pivots, matrices: Matrices, speed: float, 
     react = np.zeros((len(pivots.rows), len(matrices.M)))
     react_turn = np.zeros((len(at), react.shape[0], react.shape[0]))
     if reduction.factor is not None:
-        react[:, dependent] = reduction.factor.solve_transposed(np.eye(len(dependent)))
-        react_turn = -react[:, dependent] @ turned.rows[:, :, dependent].transpose(0, 2, 1)
+        react[:, dependent] = rounded(reduction.factor.solve_transposed(np.eye(len(dependent))))
+        react_turn = rounded(-react[:, dependent] @ turned.rows[:, :, dependent].transpose(0, 2, 1))
     dead = [load for load in with_weight(system) if load.frame != load.body]
     f = load_sums(bodies, dead)[0] + matrices.H.T @ matrices.statics.tensions
     K = matrices.K_elastic + elastic_tangent(system, matrices) + matrices.K_load + matrices.K_camber
@@ -113,10 +123,11 @@ def multibody(system: System, pivots: Pivots, matrices: Matrices, speed: float, 
         inertia=np.array([body.inertia for body in bodies]),
         C=matrices.C_damper,
         C_slip=matrices.C_slip,
-        K=K,
+        K=rounded(K),
         T=T,
         W=W,
         W_turn=turned.motions.reshape(len(at), W.size),
+        **inertia(W, turned.motions, matrices.M),
         rate=rate,
         react=react,
         react_turn=react_turn.reshape(len(at), react.shape[0] ** 2),
@@ -128,6 +139,29 @@ def multibody(system: System, pivots: Pivots, matrices: Matrices, speed: float, 
         lead=lead,
         held=held,
     )
+
+
+def inertia(W: Array, turned: Array, M: Array) -> dict[str, Any]:
+    """The mass on n as a polynomial of the displacements, see `Multibody`."""
+    size = len(turned), W.shape[1] ** 2
+    once = turned.transpose(0, 2, 1) @ M @ W
+    i, j = np.tril_indices(len(turned))
+    twice = turned[i].transpose(0, 2, 1) @ M @ turned[j]
+    # a pair stands for both orders
+    both = np.where((i == j)[:, np.newaxis, np.newaxis], twice, twice + twice.transpose(0, 2, 1))
+    both = rounded(both)
+    kept = np.any(both != 0.0, axis=(1, 2))
+    return {
+        "inert": rounded(W.T @ M @ W).ravel(),
+        "inert_turn": rounded(once + once.transpose(0, 2, 1)).reshape(size),
+        "inert_pairs": both[kept].reshape(-1, size[1]),
+        "pairs": np.array((i[kept], j[kept])),
+    }
+
+
+def rounded(array: Array) -> Array:
+    """An array without what is zero but for rounding."""
+    return np.where(np.abs(array) > ROUNDING * np.max(np.abs(array), initial=0.0), array, 0.0)
 
 
 def frame_motion(system: System) -> Array:

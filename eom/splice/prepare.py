@@ -13,7 +13,7 @@ from eom.assembly.vectors import Array
 from eom.splice.checks import check_balance, check_free, check_motions, check_supports
 from eom.splice.contact import Contact, contacts, spliced
 from eom.splice.laws import LawGroup, forces
-from eom.splice.multibody import Multibody, multibody
+from eom.splice.multibody import Multibody, multibody, rounded
 from eom.splice.state import Control, Model
 from eom.splice.trim import STEP, Trim, solve_trim
 from eom.vehicle.elements import GROUND, Connection, System
@@ -123,7 +123,7 @@ def load_gain(body: Multibody, wheels: Contact) -> Array:
     free = slice(1, None) if body.held else slice(None)
     W = body.W[:, free]
     moved = body.M @ W @ np.linalg.solve(mass[free, free], W.T)
-    return (body.react @ (moved - np.eye(len(moved))))[wheels.supports]
+    return rounded((body.react @ (moved - np.eye(len(moved))))[wheels.supports])
 
 
 def bend(wheels: Contact, laws: tuple[LawGroup, ...], trim: Trim) -> Array:

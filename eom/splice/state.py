@@ -70,7 +70,7 @@ class State(NamedTuple):
 
 
 class Motion(NamedTuple):
-    """Velocities at a state: W(q), w = W n, dq/dt, and the part of dw/dt that does not follow from dn/dt.
+    """Velocities at a state: W(q), w = W n, dq/dt, the part of dw/dt that does not follow from dn/dt, the mass on n.
 
     ``displaced`` are the displacements of all bodies, ``local`` the velocities w with translations along each body's
     own heading.
@@ -80,6 +80,7 @@ class Motion(NamedTuple):
     w: Any
     dq: Any
     drift: Any
+    mass: Any
     displaced: Any
     local: Any
 
@@ -87,7 +88,7 @@ class Motion(NamedTuple):
 class Rolling(NamedTuple):
     """Slips of the wheels and what else their tyres need; arrays over the wheels.
 
-    ``side`` is the slip angle by kinematics, ``alpha`` the one that acts; ``steer`` the steer angle.
+    ``side`` is the slip angle by kinematics, ``alpha`` the one that acts; ``cos`` and ``sin`` are of the steer angle.
     """
 
     forward: Any
@@ -95,7 +96,8 @@ class Rolling(NamedTuple):
     alpha: Any
     kappa: Any
     camber: Any
-    steer: Any
+    cos: Any
+    sin: Any
     omega: Any
 
 

@@ -1,10 +1,14 @@
-"""Wheels at a state: slips, loads, torques, and the forces of the road on them and by them on their bodies."""
+"""Wheels at a state: slips, loads, torques, and the forces of the road on them and by them on their bodies.
+
+What is done for each wheel alone is a function of numbers, which `over_lanes` applies to all of them.
+"""
 
 from typing import Any
 
 import numpy as np
 
 from eom.splice.contact import FORWARD, LATERAL
+from eom.splice.lanes import over_lanes
 from eom.splice.laws import forces
 from eom.splice.state import Model, Motion, Rolling, State
 from eom.tyre.contact import kept_above, rolling_sense
@@ -14,6 +18,8 @@ LOW_SPEED = 1.0
 """Forward speed [m/s] below which slips are bent, as in `eom.tyre.slips`."""
 CREEP = 0.1
 """Speed of the tread [m/s] below which a brake's torque fades: dry friction made smooth."""
+LIFTED = 1e-100
+"""Load [N] that changes no other one, and keeps the ratio of no force to no load zero."""
 
 
 def slip_speed(v_x: Any) -> Any:
@@ -21,20 +27,34 @@ def slip_speed(v_x: Any) -> Any:
     return kept_above(magnitude(v_x), LOW_SPEED)
 
 
+def course(v_x: Any, v_y: Any, steer: Any, spin: Any, radius: Any, spins: Any) -> tuple[Any, ...]:
+    """Forward speed, slip angle, longitudinal slip, and cosine and sine of the steer angle of a wheel."""
+    cos, sin = np.cos(steer), np.sin(steer)
+    forward, sideward = cos * v_x + sin * v_y, cos * v_y - sin * v_x
+    speed = slip_speed(forward)
+    return forward, arctan(sideward / speed), spins * (spin * radius - forward) / speed, cos, sin
+
+
 def rolling(state: State, u: Any, at: Motion, p: Model) -> Rolling:
     """Slips of all wheels."""
     c = p.contact
     v_x, v_y = c.rows[FORWARD] @ at.local, c.rows[LATERAL] @ at.local
-    steer = p.control.steer @ u
-    cos, sin = np.cos(steer), np.sin(steer)
-    forward, sideward = cos * v_x + sin * v_y, cos * v_y - sin * v_x
-    speed = slip_speed(forward)
-    side = arctan(sideward / speed)
+    spin = 0.0 * v_x
+    spin[c.spinning] = state.spin
+    forward, side, kappa, cos, sin = over_lanes(
+        course, None, 5, [v_x, v_y, p.control.steer @ u, spin, c.radius, spinning(p)]
+    )
     omega, alpha = forward / c.radius, side + 0.0
     omega[c.spinning] = state.spin
     alpha[c.relaxing] = state.side
-    kappa = (omega * c.radius - forward) / speed
-    return Rolling(forward, side, alpha, kappa, c.lean @ at.displaced, steer, omega)
+    return Rolling(forward, side, alpha, kappa, c.lean @ at.displaced, cos, sin, omega)
+
+
+def spinning(p: Model) -> Any:
+    """One for each wheel whose spin is a state, zero for the others, (w,)."""
+    result = np.zeros(len(p.contact.number))
+    result[p.contact.spinning] = 1.0
+    return result
 
 
 def free_loads(at: Motion, supports: Any, p: Model) -> Any:
@@ -43,19 +63,34 @@ def free_loads(at: Motion, supports: Any, p: Model) -> Any:
     return c.base + c.share @ supports + c.sprung @ at.displaced + c.damped @ (p.body.T @ at.dq)
 
 
-def wheel_loads(at: Motion, supports: Any, p: Model) -> Any:
-    """Normal loads [N] by the supports' loads; a wheel that lifts pulls nothing, and its partner carries the axle."""
+def pressing(free: Any, whole: Any, alone: Any) -> tuple[Any, Any]:
+    """Load of a wheel, and what it is beyond the one that it would have if it could not lift.
+
+    A wheel that lifts pulls nothing, and its partner carries the *whole* axle.
+    """
+    load = minimum(maximum(free, 0.0), maximum(whole, 0.0) + alone)
+    return load, load - free
+
+
+def wheel_loads(at: Motion, supports: Any, p: Model) -> tuple[Any, Any]:
+    """Normal loads [N] by the supports' loads, and what they are beyond what supports and springs carry, (w,)."""
     c = p.contact
-    limit = maximum(c.most @ supports, 0.0) + c.alone
-    return minimum(maximum(free_loads(at, supports, p), 0.0), limit)
+    load, excess = over_lanes(pressing, None, 2, [free_loads(at, supports, p), c.most @ supports, c.alone])
+    return load, excess
+
+
+def held_back(pressed: Any, omega: Any, radius: Any) -> tuple[Any]:
+    """Torque of a brake [N m]: it resists rotation either way, and pulls at none."""
+    return (maximum(pressed, 0.0) * rolling_sense(omega * radius, CREEP),)
 
 
 def torques(state: State, u: Any, slip: Rolling, p: Model) -> Any:
-    """Torque of drive and brakes on each wheel [N m]; a brake resists rotation either way, and pulls at none."""
+    """Torque of drive and brakes on each wheel [N m]."""
     control = p.control
     drive = state.drive[0] if control.drive_lag > 0.0 else control.demand @ u
-    brake = maximum(state.brake if control.brake_lag > 0.0 else control.brake @ u, 0.0)
-    return control.drive * drive - brake * rolling_sense(slip.omega * p.contact.radius, CREEP)
+    pressed = state.brake if control.brake_lag > 0.0 else control.brake @ u
+    (braked,) = over_lanes(held_back, None, 1, [pressed, slip.omega, p.contact.radius])
+    return control.drive * drive - braked
 
 
 def road_forces(slip: Rolling, load: Any, torque: Any, p: Model) -> Any:
@@ -67,27 +102,58 @@ def road_forces(slip: Rolling, load: Any, torque: Any, p: Model) -> Any:
     found = forces(p.laws, c.number, slip.alpha, slip.kappa, load, slip.camber, slip.forward)
     passed = (torque + found[3]) / c.radius
     passed[c.spinning] = found[0][c.spinning]
-    found[0] = passed
-    return found
+    return np.concatenate((passed[np.newaxis], found[1:]))
 
 
-def on_bodies(found: Any, slip: Rolling, torque: Any, p: Model) -> Any:
-    """Forces of road forces (5, w) and torques on the bodies, along the rows of `Contact`, (6, w)."""
+def pushed(
+    Fx: Any, Fy: Any, Mx: Any, back: Any, Mz: Any, cos: Any, sin: Any, excess: Any, lever: Any, heave: Any
+) -> tuple[Any, ...]:
+    """Forces of a wheel on its body along the rows of `Contact`.
+
+    *back* is the torque on it in pitch; the *excess* of its load acts beside what supports and springs carry.
+    """
+    roll = cos * Mx + lever * excess
+    return cos * Fx - sin * Fy, sin * Fx + cos * Fy, roll, sin * Mx - back, Mz, heave * excess
+
+
+def on_bodies(found: Any, excess: Any, slip: Rolling, torque: Any, p: Model) -> Any:
+    """Forces of road forces (5, w), torques and loads in excess on the bodies, along the rows of `Contact`, (6, w)."""
     c = p.contact
-    cos, sin = np.cos(slip.steer), np.sin(slip.steer)
-    Fx, Fy, Mx, Mz = found[0], found[1], found[2], found[4]
     # a spin that is no state passes on all torques but that of rolling resistance, which the road takes with the force
     back = -found[3]
     back[c.spinning] = torque[c.spinning]
-    return np.stack((cos * Fx - sin * Fy, sin * Fx + cos * Fy, cos * Mx, sin * Mx - back, Mz, 0.0 * Fx))
+    Fx, Fy, Mx, _, Mz = found
+    return np.stack(over_lanes(pushed, None, 6, [Fx, Fy, Mx, back, Mz, slip.cos, slip.sin, excess, c.lever, c.heave]))
 
 
-def lifted(at: Motion, load: Any, supports: Any, p: Model) -> Any:
-    """What loads are beyond what supports and springs of the multibody part carry, along the rows of `Contact`, (6, w).
+def following_load(
+    Fx: Any,
+    Fy: Any,
+    Mx: Any,
+    My: Any,
+    Mz: Any,
+    load: Any,
+    bend_x: Any,
+    bend_y: Any,
+    bend_roll: Any,
+    bend_pitch: Any,
+    bend_yaw: Any,
+    cos: Any,
+    sin: Any,
+    spins: Any,
+    radius: Any,
+) -> tuple[Any, ...]:
+    """How the forces of a wheel on its body follow its load: in proportion, and as *bend* says beside."""
+    share = 1.0 / (load + LIFTED)
+    pitch = My * share + bend_pitch
+    along = spins * (Fx * share + bend_x) + (1.0 - spins) * pitch / radius
+    none = 0.0 * load
+    across, roll, yaw = Fy * share + bend_y, Mx * share + bend_roll, Mz * share + bend_yaw
+    return pushed(along, across, roll, (spins - 1.0) * pitch, yaw, cos, sin, none, none, none)
 
-    Nothing while all wheels stand: a wheel that lifts must not pull, and its partner carries what it left.
-    """
+
+def load_slopes(found: Any, load: Any, slip: Rolling, p: Model) -> Any:
+    """How the forces on the bodies follow the loads, (6, w); exact at the trim."""
     c = p.contact
-    excess = load - free_loads(at, supports, p)
-    none = 0.0 * excess
-    return np.stack((none, none, c.lever * excess, none, none, c.heave * excess))
+    rows = [*found, load, *p.bend, slip.cos, slip.sin, spinning(p), c.radius]
+    return np.stack(over_lanes(following_load, None, 6, rows))

@@ -6,7 +6,6 @@ from typing import Any
 import numpy as np
 
 from eom.errors import TyreError
-from eom.program.arrays import over_lanes
 from eom.program.compiled import installed
 from eom.program.make import Ready, ready
 from eom.tyre.interface import ARGUMENTS, REFERENCE_SPEED, Forces, Tyre, as_numbers
@@ -66,4 +65,4 @@ def formula_of_all(x: Any, _: Any, numbers: Any) -> tuple[Any]:
     """The formula of a stack of tyres, rows of arguments and of results one after the other."""
     (tyre,) = numbers
     arguments = list(x.reshape(len(ARGUMENTS), -1))
-    return (over_lanes(tyre.formula, tyre, len(ARGUMENTS), arguments).ravel(),)
+    return (np.ravel(x.over_lanes(tyre.formula, tyre, len(ARGUMENTS), arguments)),)

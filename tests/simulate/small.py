@@ -48,7 +48,7 @@ def problem(
     equation: Equation,
     x: Sequence[float],
     inputs: Mapping[str, Input],
-    times: Sequence[float],
+    times: Sequence[float] | Array,
     settings: tuple[int, float, float],
     ends: Sequence[bool] = (),
     *,

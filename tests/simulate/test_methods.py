@@ -68,7 +68,7 @@ def stepped(method: str, h: float, until: float, jacobian: Callable[[Array], Arr
         t = k * h
         if k:
             memory.v[of.X] = memory.v[of.NEW]
-        rates(memory.program, t, False, of.X, 0, of.K0, *memory.rest)  # noqa: FBT003
+        rates(memory.program, t, False, of.X, 0, of.K0, *memory.rest)
         if method == "rosenbrock":
             own = jacobian(memory.v[of.X])
             factorise(h, own, factors, pivots)
@@ -242,16 +242,14 @@ ALL = {"rk4": of.RUNGE_KUTTA, "dormand_prince": of.DORMAND_PRINCE, "rosenbrock":
 
 @pytest.mark.parametrize("compiled", [False, True])
 @pytest.mark.parametrize("method", ALL)
-def test_steps_end_where_an_input_jumps(method: str, compiled: bool) -> None:  # noqa: FBT001
+def test_steps_end_where_an_input_jumps(method: str, compiled: bool) -> None:
     """Every method integrates what is constant exactly: a step across a jump would be wrong by far more than 1e-12.
 
     The tolerance allows errors of 1e-2, so that nothing else finds the jumps.
     """
     time, value = np.array([0.1234567, 0.5, 0.5000001, 1.0 / 3.0 + 0.4]), np.array([1.0, -2.0, 5.0, 0.25])
     times = np.linspace(0.0, 1.5, 40)
-    found = problem(
-        integral, (0.0, 0.0), {"u": Steps(time, value)}, times, (ALL[method], 0.2, 1e-2), compiled=compiled
-    )
+    found = problem(integral, (0.0, 0.0), {"u": Steps(time, value)}, times, (ALL[method], 0.2, 1e-2), compiled=compiled)
     assert found.go_on(1.5, np.inf) == of.DONE
     since = np.maximum(times[:, np.newaxis] - time, 0.0)
     jumps = np.diff(np.concatenate(([0.0], value)))

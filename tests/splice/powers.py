@@ -76,7 +76,7 @@ def powers(found: TyreModel, now: Evaluation, u: Array) -> Powers:
     roll, pitch, yaw = at.w.reshape(-1, 6)[bodies, 3:].T
     forward = point_velocities(at, bodies, hubs)[:, 0]
     _, left, up = point_velocities(at, bodies, arms).T
-    cos, sin = np.cos(now.rolling.steer), np.sin(now.rolling.steer)
+    cos, sin = now.rolling.cos, now.rolling.sin
     Fx, Fy, Mx, My, Mz = balance.forces
     road = (cos * Fx - sin * Fy) * forward + (sin * Fx + cos * Fy) * left + Mx * (cos * roll + sin * pitch) + Mz * yaw
     road += omega * np.where(spinning, My - radius * Fx, 0.0)
