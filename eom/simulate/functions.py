@@ -63,15 +63,15 @@ def pieces_of(function: Callable[[float], float], name: str, duration: float) ->
 
     Raises `SimulationError` for a function that jumps too often.
     """
-    why, cause = f"input {name} is not finite", None
+    raised: Exception | None = None
 
     def at(t: float) -> float:
         """The function at an instant, not a number where it has none."""
-        nonlocal why, cause
+        nonlocal raised
         try:
             return float(function(t))
         except Exception as error:  # noqa: BLE001  whatever it is, the sentence tells it
-            why, cause = f"input {name}: its function raised {type(error).__name__}: {error}", error
+            raised = error
             return float("nan")
 
     def tried(begin: float, end: float) -> Piece:
@@ -102,7 +102,10 @@ def pieces_of(function: Callable[[float], float], name: str, duration: float) ->
             rows.append(row(item._replace(values=np.full(DEGREE + 1, item.values[0]))))
             stops.append(item.begin + item.length)
         else:
-            return joined(rows, stops, largest, item.begin, f"{why} from {item.begin:.9g} s on", cause)
+            why = f"input {name} is not finite from {item.begin:.9g} s on"
+            if raised is not None:
+                why = f"input {name} at {item.begin:.9g} s: its function raised {type(raised).__name__}: {raised}"
+            return joined(rows, stops, largest, item.begin, why, raised)
         if len(rows) + len(waiting) > most:
             told = f"input {name}: its function jumps too often about {item.begin:.6g} s: give it as Steps or as Table"
             raise SimulationError(told)

@@ -69,7 +69,7 @@ def prepare_with(system: System, speed: float, pivots: Pivots) -> Prepared:
         B=np.hstack((np.zeros((len(body.M), wheeled)), body.B)),
         steering=np.concatenate((np.zeros(wheeled, dtype=np.intp), body.steering)),
     )
-    model = Model(body, wheels, inputs, laws, load_gain(body, wheels), bend(wheels, laws, trim))
+    model = Model(body, wheels, inputs, laws, load_gain(body, wheels), beyond_proportion(wheels, laws, trim))
     return Prepared(model, trim, rest, pivots, matrices)
 
 
@@ -126,7 +126,7 @@ def load_gain(body: Multibody, wheels: Contact) -> Array:
     return rounded((body.react @ (moved - np.eye(len(moved))))[wheels.supports])
 
 
-def bend(wheels: Contact, laws: tuple[LawGroup, ...], trim: Trim) -> Array:
+def beyond_proportion(wheels: Contact, laws: tuple[LawGroup, ...], trim: Trim) -> Array:
     """What the forces of the road at the trim follow the loads beyond proportion, (5, w)."""
     zero = np.zeros(len(trim.load))
     at = forces(laws, wheels.number, zero, trim.slip, trim.load + 1j * STEP, zero, zero + trim.speed)

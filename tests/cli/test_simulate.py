@@ -24,7 +24,10 @@ def test_a_run_file_gives_the_run_that_python_gives(
     assert run(monkeypatch, "simulate", TRAIN, "--run", LANE_CHANGE, "--out", tmp_path) == 0
     out = capsys.readouterr().out
     steer = Sine(float(np.radians(1.79)), 0.4, 0.5)
-    expected = simulate(eom.build(vehicle("b_train")), {"axle_1.steer": steer}, 10.0, speed=110.0 / 3.6)
+    model = eom.build(vehicle("b_train"))
+    speed = load_run(LANE_CHANGE, KINDS).speed
+    assert speed == pytest.approx(110.0 / 3.6)
+    expected = simulate(model, {"axle_1.steer": steer}, 10.0, speed=speed)
     assert out.startswith(f"B-train double at 110 km/h: 10 s\n{expected.method}\n")
     assert "events" not in out
     written = columns(tmp_path / "b_train_run.csv")
@@ -171,56 +174,3 @@ def test_a_run_that_fails_at_its_start_shows_nothing(
     captured = capsys.readouterr()
     assert captured.out == ""
     assert "a step of 1 s is unstable" in captured.err
-
-
-@pytest.mark.parametrize(
-    ("arguments", "sentences"),
-    [
-        ((), ["--duration is missing: without a run file say how long"]),
-        (
-            ("--input", "axle_1.ster=1deg", "--input", "axle_2.steer", "--duration", "x", "--method", "rk5"),
-            [
-                "--input axle_1.ster: there is no such input; did you mean 'axle_1.steer'?",
-                "--input axle_2.steer: expected NAME=KIND, KIND being a value, sine:AMPLITUDE:FREQUENCY",
-                "--duration x: expected a number in s",
-                "--method rk5: expected automatic, rk4, dormand_prince, rosenbrock; did you mean 'rk4'?",
-            ],
-        ),
-        (("--input", "axle_1.steer=sin:1deg:1Hz"), ["or step:VALUE[:START]; did you mean 'sine'?"]),
-        (("--input", "axle_1.steer=sine:1deg"), ["expected sine:AMPLITUDE:FREQUENCY[:START[:CYCLES]]"]),
-        (("--input", "axle_1.steer=sine:1deg:3rad/s:0:-1"), ["expected a frequency in Hz", "cycles -1: expected"]),
-        (("--input", "axle_1.steer=step:1deg:1m"), ["start 1m: '1m' is in m, expected s"]),
-        (("--input", "axle_1.steer=3kg"), ["value 3kg: '3kg' is in kg, expected rad"]),
-        (("--input", "axle_1.steer=1deg", "--input", "axle_1.steer=2deg"), ["--input axle_1.steer: is given twice"]),
-        (("--duration", "1s", "--method", "rk4"), ["method rk4 needs a step, such as --step 1ms"]),
-        (("--duration", "1s", "--step", "1ms"), ["--step 1ms: goes with --method rk4"]),
-        (("--duration", "1s", "--sample", "2s"), ["time between samples of 2 s: longer than the duration of 1 s"]),
-        (("--duration", "1s", "--speed", "-3"), ["--speed -3: expected a number larger than zero"]),
-        (("--run", "no.yaml", "--speed", "0"), ["no.yaml: cannot be read", "--speed 0: expected a number larger"]),
-        (("--run", SPEED_KEEPING, "--input", "drive_torque=0"), ["input drive_torque has a signal and a wire"]),
-    ],
-)
-def test_mistakes_end_with_their_sentences_and_status_2(
-    arguments: tuple[object, ...],
-    sentences: list[str],
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
-) -> None:
-    assert run(monkeypatch, "simulate", TRAIN, *arguments, "--out", tmp_path / "out") == 2
-    captured = capsys.readouterr()
-    assert captured.out == ""
-    assert "Traceback" not in captured.err
-    for sentence in sentences:
-        assert sentence in captured.err
-
-
-def test_mistakes_of_a_run_file_are_told_with_their_places(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    file = tmp_path / "wrong.yaml"
-    file.write_text("duration: 3 s\ninputs:\n  rod: 1 cm\n")
-    assert run(monkeypatch, "simulate", CAR, "--run", file, "--speed", "3m/s") == 2
-    err = capsys.readouterr().err
-    assert f"{file}:3:3: inputs.rod: there is no such input; did you mean 'road'?" in err
-    assert "--speed 3m/s: goes with axles that have nonlinear tyres" in err

@@ -15,7 +15,7 @@ from eom.simulate.advance import advance
 from eom.simulate.engine import Engine, engine
 from eom.simulate.equations import Equations
 from eom.simulate.inputs import Input
-from eom.simulate.signal_pieces import Driven, driven
+from eom.simulate.signal_pieces import Driven, driven, told
 from eom.splice.limits import Limit
 
 Array = NDArray[np.float64]
@@ -62,7 +62,9 @@ def problem(
     # no number of these is used, but programs are made for some
     made = ready(named_for_its_text(equation), (np.array([2.0]),), len(start), len(names))
     equations = Equations(made, limits, size, size)
-    signals = driven(inputs, names, np.zeros(len(names)), float(times[-1]))
+    signals = driven(
+        {name: told(item, name, float(times[-1])) for name, item in inputs.items()}, names, np.zeros(len(names))
+    )
     found = engine(equations, start, signals, np.array(times, dtype=float), settings)
     return found if compiled else replace(found, call=python_program(equation), advance=advance)
 

@@ -51,7 +51,7 @@ def test_every_crossing_is_found_at_its_time_with_its_direction(method: str, com
     end = 20.0 if compiled else 2.0
     own = (ALL[method], 2e-3, 1e-9)
     run = problem(swinging, (0.0, 1.0), {}, (0.0, end), own, (False, False), compiled=compiled)
-    assert run.go_on(end, np.inf) == of.DONE
+    assert run.go_on(end, np.inf, closed=True) == of.DONE
     turns, half = 2.0 * np.pi * np.arange(-1, 24), np.pi
     first, second = np.arcsin([0.5, 0.8])
     wanted = [((turns + first) / 7.0, 0, 1.0), ((turns + half - first) / 7.0, 0, 0.0)]
@@ -67,7 +67,7 @@ def test_every_crossing_is_found_at_its_time_with_its_direction(method: str, com
 def test_crossings_of_margins_that_are_steep_or_flat_are_found() -> None:
     """To 1e-10 of a step where the margin has a slope; its ninth power counts as zero within a thousandth."""
     found = problem(bent, (0.0,), {}, (0.0, 1.0), (of.DORMAND_PRINCE, 0.5, 1e-6), (False,) * 4)
-    assert found.go_on(1.0, np.inf) == of.DONE
+    assert found.go_on(1.0, np.inf, closed=True) == of.DONE
     got = events(found)
     assert sorted(got[:, of.EVENT_LIMIT]) == [0, 1, 2, 3]
     by_limit = dict(zip(got[:, of.EVENT_LIMIT].astype(int), got[:, of.EVENT_TIME], strict=True))
@@ -77,7 +77,7 @@ def test_crossings_of_margins_that_are_steep_or_flat_are_found() -> None:
 
 def test_a_limit_that_an_input_crosses_by_a_jump_is_reached_then() -> None:
     found = kicked(2.0)
-    assert found.go_on(1.0, np.inf) == of.DONE
+    assert found.go_on(1.0, np.inf, closed=True) == of.DONE
     jumps = events(found)[events(found)[:, of.EVENT_LIMIT] == 3]
     np.testing.assert_allclose(jumps[:, of.EVENT_TIME], [0.2])
     np.testing.assert_array_equal(jumps[:, of.EVENT_REACHED], [1.0])
@@ -86,7 +86,7 @@ def test_a_limit_that_an_input_crosses_by_a_jump_is_reached_then() -> None:
 def test_a_limit_that_is_passed_from_the_start_is_reached_at_the_start() -> None:
     inputs = {"u": Steps(np.array([0.0, 0.2]), np.array([2.0, 0.0]))}
     found = problem(rising, (0.0,), inputs, (0.0, 1.0), (of.DORMAND_PRINCE, 0.5, 1e-6), (False,) * 4)
-    assert found.go_on(1.0, np.inf) == of.DONE
+    assert found.go_on(1.0, np.inf, closed=True) == of.DONE
     own = events(found)[events(found)[:, of.EVENT_LIMIT] == 3]
     np.testing.assert_allclose(own[:, of.EVENT_TIME], [0.0, 0.2])
     np.testing.assert_array_equal(own[:, of.EVENT_REACHED], [1.0, 0.0])
@@ -96,7 +96,7 @@ def test_nothing_happens_after_the_limit_that_ends_a_run() -> None:
     """All three limits lie in the same step."""
     found = kicked(0.0, ends=(True, False, False, False))
     found.clock[of.STEP] = 0.5
-    assert found.go_on(1.0, np.inf) == of.TERMINAL
+    assert found.go_on(1.0, np.inf, closed=True) == of.TERMINAL
     assert abs(found.time - 0.3) < 1e-9
     assert np.max(events(found)[:, of.EVENT_TIME]) <= found.time
     assert abs(found.state[0] - 0.3) < 1e-9
@@ -105,7 +105,7 @@ def test_nothing_happens_after_the_limit_that_ends_a_run() -> None:
 def test_of_two_limits_that_end_a_run_in_the_same_step_the_earlier_one_does() -> None:
     found = kicked(0.0, ends=(True, False, True, False))
     found.clock[of.STEP] = 0.5
-    assert found.go_on(1.0, np.inf) == of.TERMINAL
+    assert found.go_on(1.0, np.inf, closed=True) == of.TERMINAL
     assert abs(found.time - 0.3) < 1e-9
 
 
@@ -116,7 +116,7 @@ def test_no_event_is_lost_for_want_of_room(room: int, monkeypatch: pytest.Monkey
     found = problem(
         swinging, (0.0, 1.0), {}, (0.0, 20.0), (of.DORMAND_PRINCE, 0.5, 1e-3), (False, False), compiled=True
     )
-    assert found.go_on(20.0, np.inf) == of.DONE
+    assert found.go_on(20.0, np.inf, closed=True) == of.DONE
     assert len(events(found)) == 22 * 4 + 1
 
 
@@ -125,7 +125,7 @@ def test_no_event_is_lost_when_there_are_more_than_256_in_a_slice() -> None:
     found = problem(
         swinging, (0.0, 1.0), {}, (0.0, 100.0), (of.DORMAND_PRINCE, 0.5, 1e-6), (False, False), compiled=True
     )
-    assert found.go_on(100.0, np.inf) == of.DONE
+    assert found.go_on(100.0, np.inf, closed=True) == of.DONE
     assert len(events(found)) == 111 * 4 + 1
 
 

@@ -14,7 +14,7 @@ from scipy.integrate import solve_ivp
 from eom.simulate import Sine, Steps, Table
 from eom.simulate import memory as of
 from eom.simulate.accepted import between
-from eom.simulate.signal_pieces import driven
+from eom.simulate.signal_pieces import driven, told
 from eom.simulate.steps import (
     ALPHA,
     DEFECT,
@@ -62,7 +62,7 @@ def exact(t: float) -> Array:
 
 def stepped(method: str, h: float, until: float, jacobian: Callable[[Array], Array] = slope) -> tuple[Memory, int]:
     """The memory after steps of the same length; the row of the rates at the end."""
-    memory = Memory(pendulum, START, driven({"u": PUSH}, ("u",), np.zeros(1), until))
+    memory = Memory(pendulum, START, driven({"u": told(PUSH, "u", until)}, ("u",), np.zeros(1)))
     last, factors, pivots = of.K0, np.zeros((2, 2)), np.zeros(2, dtype=int)
     for k in range(round(until / h)):
         t = k * h
@@ -250,7 +250,7 @@ def test_steps_end_where_an_input_jumps(method: str, compiled: bool) -> None:
     time, value = np.array([0.1234567, 0.5, 0.5000001, 1.0 / 3.0 + 0.4]), np.array([1.0, -2.0, 5.0, 0.25])
     times = np.linspace(0.0, 1.5, 40)
     found = problem(integral, (0.0, 0.0), {"u": Steps(time, value)}, times, (ALL[method], 0.2, 1e-2), compiled=compiled)
-    assert found.go_on(1.5, np.inf) == of.DONE
+    assert found.go_on(1.5, np.inf, closed=True) == of.DONE
     since = np.maximum(times[:, np.newaxis] - time, 0.0)
     jumps = np.diff(np.concatenate(([0.0], value)))
     wanted = np.column_stack((since @ jumps, 0.5 * since**2 @ jumps))
@@ -263,7 +263,7 @@ def test_steps_end_where_the_slope_of_an_input_jumps(method: str) -> None:
     time, value = np.array([0.0, 0.3, 0.7000001, 2.0]), np.array([0.0, 2.0, -1.0, 3.0])
     times = np.linspace(0.0, 1.5, 40)
     found = problem(integral, (0.0, 0.0), {"u": Table(time, value)}, times, (ALL[method], 0.2, 1e-2))
-    assert found.go_on(1.5, np.inf) == of.DONE
+    assert found.go_on(1.5, np.inf, closed=True) == of.DONE
     since = np.maximum(times[:, np.newaxis] - time[:-1], 0.0)
     kinks = np.diff(np.concatenate(([0.0], np.diff(value) / np.diff(time))))
     wanted = np.column_stack((since**2 @ kinks / 2.0, since**3 @ kinks / 6.0))
@@ -286,7 +286,7 @@ def test_a_jump_between_steps_leaves_the_order_four_of_the_classical_method() ->
     for h in (0.05, 0.025, 0.0125):
         inputs = {"u": Steps(np.array([jump]), np.array([3.0]))}
         found = problem(pendulum, START, inputs, (0.0, 2.0), (of.RUNGE_KUTTA, h, 1e-6))
-        assert found.go_on(2.0, np.inf) == of.DONE
+        assert found.go_on(2.0, np.inf, closed=True) == of.DONE
         errors.append(np.max(np.abs(states(found)[-1] - state)))
     assert 3.6 < order_of(errors) < 4.6
 
@@ -296,7 +296,7 @@ def test_error_of_an_adaptive_run_follows_its_tolerance(method: str) -> None:
     errors = []
     for tolerance in (1e-4, 1e-6, 1e-8):
         found = problem(pendulum, START, {"u": PUSH}, (0.0, 2.0), (ALL[method], 0.5, tolerance), compiled=True)
-        assert found.go_on(2.0, np.inf) == of.DONE
+        assert found.go_on(2.0, np.inf, closed=True) == of.DONE
         errors.append(np.max(np.abs(states(found)[-1] - exact(2.0))))
         assert errors[-1] < 20.0 * tolerance
     assert errors[-1] < 1e-2 * errors[0]
@@ -309,7 +309,7 @@ def test_compiled_loops_do_what_plain_python_does(method: str) -> None:
     for compiled in (False, True):
         own = (ALL[method], 0.02, 1e-6)
         found = problem(pendulum, START, {"u": PUSH}, np.linspace(0.0, 2.0, 9), own, compiled=compiled)
-        assert found.go_on(2.0, np.inf) == of.DONE
+        assert found.go_on(2.0, np.inf, closed=True) == of.DONE
         ends.append(states(found))
     np.testing.assert_allclose(ends[0], ends[1], atol=1e-10)
 
@@ -322,7 +322,7 @@ def test_pauses_change_nothing(method: str, pauses: list[float]) -> None:
     whole, parts = (
         problem(pendulum, START, {"u": PUSH}, np.linspace(0.0, 2.0, 41), own, compiled=True) for _ in range(2)
     )
-    assert whole.go_on(2.0, np.inf) == of.DONE
+    assert whole.go_on(2.0, np.inf, closed=True) == of.DONE
     for pause in [*sorted(pauses), np.inf]:
-        assert parts.go_on(2.0, pause) == of.DONE
+        assert parts.go_on(2.0, pause, closed=True) == of.DONE
     np.testing.assert_array_equal(states(whole), states(parts))

@@ -39,11 +39,11 @@ def estimates(found: TyreModel | LinearModel, speed: float | None, until: float 
     """All fastest roots that a run believes in [1/s], the first one at its start."""
     x, u = at_start(found, speed)
     run = engine(
-        equations_of(found), x, driven({}, found.inputs, u, until), np.array([0.0]), (of.DORMAND_PRINCE, 0.5, 1e-6)
+        equations_of(found), x, driven({}, found.inputs, u), np.array([0.0]), (of.DORMAND_PRINCE, 0.5, 1e-6)
     )
     result = []
     for pause in np.linspace(1e-9, until, 20):
-        assert run.go_on(until, pause) == of.DONE
+        assert run.go_on(until, pause, closed=True) == of.DONE
         result.append(float(run.clock[of.ROOT]))
     return result
 
