@@ -47,8 +47,8 @@ if TYPE_CHECKING:
     from eom.model.reformulation import reformulate as reformulate
     from eom.model.tyre import TyreModel as TyreModel
     from eom.model.tyre import build as build
-    from eom.simulate import Run as Run
-    from eom.simulate import simulate as simulate
+    from eom.simulation import Run as Run
+    from eom.simulation import simulate as simulate
     from eom.vehicle.load import Vehicle as Vehicle
     from eom.vehicle.load import load as load
     from eom.vehicle.load import loads as loads
@@ -64,8 +64,8 @@ PUBLIC = {
     "reformulate": "eom.model.reformulation",
     "Reformulation": "eom.model.reformulation",
     "LinearModel": "eom.model",
-    "simulate": "eom.simulate",
-    "Run": "eom.simulate",
+    "simulate": "eom.simulation",
+    "Run": "eom.simulation",
     "write_module": "eom.codegen",
     "kinematic_sweep": "eom.analysis",
     "KinematicSweep": "eom.analysis",

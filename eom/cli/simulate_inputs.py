@@ -6,8 +6,8 @@ import numpy as np
 
 from eom.analysis.signals import unknown
 from eom.cli.request import frequency, number, positive
-from eom.simulate.inputs import Constant, Input, Sine, Steps
-from eom.simulate.wiring import Named
+from eom.simulation.inputs import Constant, Input, Sine, Steps
+from eom.simulation.wiring import Named
 from eom.vehicle.validate import did_you_mean
 
 FORMS = {

@@ -10,12 +10,12 @@ from eom.cli.simulate_inputs import read_inputs
 from eom.driver import KINDS
 from eom.errors import DescriptionError
 from eom.model.linear import LinearModel
-from eom.simulate.blocks import Block
-from eom.simulate.equations import Model
-from eom.simulate.inputs import Input
-from eom.simulate.request import METHODS
-from eom.simulate.run_file import load_run
-from eom.simulate.run_spec import RunFile
+from eom.simulation.blocks import Block
+from eom.simulation.equations import Model
+from eom.simulation.inputs import Input
+from eom.simulation.request import METHODS
+from eom.simulation.run_file import load_run
+from eom.simulation.run_spec import RunFile
 from eom.vehicle.validate import did_you_mean
 
 SAMPLE = 0.01

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import NotRequired, TypedDict
 
 from eom.driver.speed_keeping import SpeedKeeping
-from eom.simulate.run_form import SENSOR, Kind, SignalName
+from eom.simulation.run_form import SENSOR, Kind, SignalName
 from eom.vehicle.quantity import Force, Impulse, Moment, Speed, Time
 
 

@@ -11,8 +11,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from eom.assembly.vectors import Array
-from eom.simulate.blocks import BlockError
-from eom.simulate.sampling_times import SMALLEST
+from eom.simulation.blocks import BlockError
+from eom.simulation.sampling_times import SMALLEST
 from eom.vehicle.draft_drive import TORQUE
 
 UNLIMITED = float("inf")

@@ -36,7 +36,7 @@ def sources() -> str:
     from importlib.metadata import version  # noqa: PLC0415
 
     result = hashlib.sha256(f"{sys.version} {version('numba')} {version('numpy')}".encode())
-    for part in ("program", "simulate", "splice", "tyre"):
+    for part in ("program", "simulation", "splice", "tyre"):
         for path in sorted((PACKAGE / part).rglob("*.py")):
             result.update(path.read_bytes())
     return result.hexdigest()

@@ -7,9 +7,9 @@ import numpy as np
 
 from eom.assembly.vectors import Array
 from eom.report.table import table
-from eom.simulate.channels import Channels, owner_and_quantity
-from eom.simulate.run import Run
-from eom.simulate.run_panels import units_in
+from eom.simulation.channels import Channels, owner_and_quantity
+from eom.simulation.run import Run
+from eom.simulation.run_panels import units_in
 
 DEGREE = {"rad": "deg", "rad/s": "deg/s", "rad/s^2": "deg/s^2"}
 DIGITS = 4

@@ -16,7 +16,7 @@ from eom.assembly.vectors import Array, skew
 from eom.splice.turning import Turning, turning
 from eom.vehicle.elements import System
 
-ROUNDING = 1e-13
+LEFT_OF_ZERO = 1e-13
 """Of the largest entry of an array: smaller ones are what rounding left of zero, and cost as much as others."""
 LEAD = (0, 1, 5)
 """Coordinates of the lead body that locate the moving frame: x, y, yaw."""
@@ -161,7 +161,7 @@ def inertia(W: Array, turned: Array, M: Array) -> dict[str, Any]:
 
 def rounded(array: Array) -> Array:
     """An array without what is zero but for rounding."""
-    return np.where(np.abs(array) > ROUNDING * np.max(np.abs(array), initial=0.0), array, 0.0)
+    return np.where(np.abs(array) > LEFT_OF_ZERO * np.max(np.abs(array), initial=0.0), array, 0.0)
 
 
 def frame_motion(system: System) -> Array:

@@ -8,8 +8,8 @@ import xarray as xr
 
 import eom
 from eom.driver import KINDS
-from eom.simulate import Sine, load_run, simulate
-from eom.simulate.progress import Progress
+from eom.simulation import Sine, load_run, simulate
+from eom.simulation.progress import Progress
 from tests.cli.test_commands import run
 from tests.cli.test_response import columns, line_of
 from tests.vehicles.shipped import FOLDER, vehicle

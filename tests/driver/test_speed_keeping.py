@@ -8,9 +8,9 @@ from hypothesis import strategies as st
 from eom.assembly.vectors import Array
 from eom.driver import SpeedKeeping
 from eom.errors import SimulationError
-from eom.simulate.blocks import BlockError
-from eom.simulate.sampling import begun, sample_times, updated
-from eom.simulate.wiring import wired
+from eom.simulation.blocks import BlockError
+from eom.simulation.sampling import begun, sample_times, updated
+from eom.simulation.wiring import wired
 
 MASS, RADIUS, SLOPE, PERIOD, SET = 40_000.0, 0.5, 300.0, 0.05, 20.0
 KP, KI = 12_000.0, 3_000.0

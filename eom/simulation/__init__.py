@@ -1,0 +1,24 @@
+"""Simulation: a model over time, with inputs, sampled blocks, events; what it gives is a `Run`."""
+
+from eom.simulation.blocks import Block
+from eom.simulation.channels import Channels, Event
+from eom.simulation.inputs import Constant, Sine, Steps, Table
+from eom.simulation.run import Run
+from eom.simulation.run_file import load_run
+from eom.simulation.sensors import Sensor
+from eom.simulation.running import RunInterrupted, simulate
+
+__all__ = [
+    "Block",
+    "Channels",
+    "Constant",
+    "Event",
+    "Run",
+    "RunInterrupted",
+    "Sensor",
+    "Sine",
+    "Steps",
+    "Table",
+    "load_run",
+    "simulate",
+]

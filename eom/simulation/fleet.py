@@ -1,0 +1,230 @@
+"""Many runs in numbers: the memory of all cases, and how they go on, compiled in threads, or in NumPy all at once."""
+
+import os
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from eom.assembly.vectors import Array
+from eom.program.compiled import compiled_function, installed
+from eom.program.make import Program
+from eom.simulation import memory as of
+from eom.simulation.engine import beginning, places, python_call, room_of
+from eom.simulation.equations import Equations
+from eom.simulation.lanes import Lanes
+from eom.simulation.many import advance_many, observe_many
+from eom.simulation.pieces import DEGREE, FIRST, INPUT, LAST
+from eom.simulation.report import sentence
+from eom.simulation.signal_pieces import Driven
+from eom.splice.limits import Limit
+
+AT_ONCE = 8
+"""Cases that a thread takes at a time."""
+
+
+@dataclass
+class Fleet:
+    """Runs that go on together, each for itself; arrays as in `eom.simulation.many`, cases first."""
+
+    program: Program
+    parameters: Array
+    settings: Array
+    clock: Array
+    counts: Any
+    margins: Array
+    times: Array
+    columns: Any
+    rows: Array
+    events: list[list[Array]]
+    terminal: Any
+    at: Any
+    v: Array
+    work: Array
+    pieces: Array
+    signals: Any
+    stops: Array
+    stops_first: Any
+    implicit: Array
+    pivots: Any
+    status: Any
+    inputs: Sequence[Driven]
+    threads: int
+
+    @property
+    def until(self) -> Array:
+        """Until when the inputs of each case hold [s]."""
+        return np.array([item.until for item in self.inputs])
+
+    @property
+    def time(self) -> float:
+        """The instant that the slowest case has reached [s]."""
+        going = self.status == of.DONE
+        return float(np.min(self.clock[going, of.TIME], initial=np.inf))
+
+    def going(self, duration: float) -> bool:
+        """Whether a case has not ended yet."""
+        return bool(np.any((self.status == of.DONE) & (self.clock[:, of.TIME] < np.minimum(duration, self.until))))
+
+    def go_on(self, instant: float, pause: float, *, closed: bool) -> None:
+        """Go on with all cases that have not ended, until an instant [s] or the end of a case's inputs, or a pause."""
+        until = np.minimum(instant, self.until)
+        while True:
+            self.counts[:, of.EVENTS] = 0
+            room = np.zeros((len(self.clock), room_of(self.margins.shape[2]), of.EVENT_STATE + self.v.shape[2]))
+            self.some(lambda cases: self.advance(cases, until, pause, closed, room))
+            for c in np.flatnonzero(self.counts[:, of.EVENTS]):
+                self.events[c].append(room[c, : self.counts[c, of.EVENTS]].copy())
+            full = self.status == of.FULL
+            if not np.any(full):
+                return
+            self.status[full] = of.DONE
+
+    def advance(self, cases: Any, until: Array, pause: float, closed: bool, room: Array) -> None:
+        """Go on with some cases."""
+        if not installed() and int(self.settings[of.METHOD]) == of.RUNGE_KUTTA:
+            Lanes(self, cases).go_on(until, pause, closed, room)
+            return
+        arguments = (
+            until,
+            pause,
+            closed,
+            self.settings,
+            self.clock,
+            self.counts,
+            self.margins,
+            self.times,
+            self.columns,
+            self.rows,
+            room,
+            self.terminal,
+            self.at,
+            self.v,
+            self.work,
+            self.pieces,
+            self.signals,
+            self.stops,
+            self.stops_first,
+            self.implicit,
+            self.pivots,
+            self.status,
+        )
+        if installed():
+            compiled_function(advance_many)(self.program.address, cases, *arguments)
+            return
+        for c in cases:
+            advance_many(python_call(self.program, self.parameters[:, c]), [c], *arguments)
+
+    def observe(self) -> Array:
+        """Outputs, inputs and states of all cases at their instants, (signals, cases)."""
+        n, outputs, inputs = (int(self.at[k]) for k in (of.STATES, of.OUTPUTS, of.INPUTS))
+        seen = np.empty((outputs + inputs + n, len(self.clock)))
+        rest = self.clock, self.at, self.v, self.work, self.pieces, self.signals, seen
+        if installed():
+            self.some(lambda cases: compiled_function(observe_many)(self.program.address, cases, *rest))
+            return seen
+        for c in range(len(self.clock)):
+            observe_many(python_call(self.program, self.parameters[:, c]), [c], *rest)
+        return seen
+
+    def ended(self, case: int, limits: tuple[Limit, ...]) -> str:
+        """Why a case ended before its time, a sentence; empty if it did not."""
+        status, at = int(self.status[case]), self.clock[case, of.TIME]
+        if status != of.DONE:
+            return sentence(status, self.clock[case], self.settings, self.events[case], limits)
+        return self.inputs[case].why if at >= self.inputs[case].until else ""
+
+    def some(self, task: Callable[[Any], None]) -> None:
+        """Do a task with all cases, some at a time in threads; how many makes no difference to any case."""
+        cases = np.arange(len(self.clock))
+        if not installed():
+            task(cases)
+            return
+        if self.threads == 1:
+            task(cases)
+            return
+        parts = np.array_split(cases, max(1, -(-len(cases) // AT_ONCE)))
+        with ThreadPoolExecutor(self.threads) as pool:
+            list(pool.map(task, parts))
+
+
+def fleet(
+    equations: Equations,
+    parameters: Array,
+    starts: Sequence[Array],
+    inputs: Sequence[Driven],
+    times: Array,
+    columns: Any,
+    settings: tuple[int, float, float],
+    threads: int | None,
+) -> Fleet:
+    """Cases that are about to start; *parameters* are (parameters, cases)."""
+    program, cases = equations.ready.program, len(starts)
+    at, size = places(program, len(inputs[0].base))
+    n, limits, m = (int(at[k]) for k in (of.STATES, of.LIMITS, of.INPUTS))
+    work = np.ones((cases, size))
+    work[:, :m] = [item.base for item in inputs]
+    work[:, m : m + len(parameters)] = parameters.T
+    pieces, signals = joined_signals(inputs)
+    begun = begun_alike(equations, parameters, starts, inputs, settings[1])
+    return Fleet(
+        program=program,
+        parameters=parameters,
+        settings=np.array(settings, dtype=float),
+        clock=np.array([clock for clock, _ in begun]),
+        counts=np.zeros((cases, of.COUNTS), dtype=np.int64),
+        margins=np.zeros((cases, 3, limits)),
+        times=times,
+        columns=columns,
+        rows=np.full((cases, len(times), len(columns)), np.nan),
+        events=[[] for _ in range(cases)],
+        terminal=np.array([limit.ends for limit in equations.limits], dtype=bool),
+        at=at,
+        v=np.array([v for _, v in begun]),
+        work=work,
+        pieces=pieces,
+        signals=signals,
+        stops=np.concatenate([item.stops for item in inputs]),
+        stops_first=np.cumsum([0, *(len(item.stops) for item in inputs)]),
+        implicit=np.zeros((cases, 2, n, n)),
+        pivots=np.zeros((cases, n), dtype=np.int64),
+        status=np.zeros(cases, dtype=np.int64),
+        inputs=inputs,
+        threads=threads or os.cpu_count() or 1,
+    )
+
+
+def begun_alike(
+    equations: Equations, parameters: Array, starts: Sequence[Array], inputs: Sequence[Driven], largest: float
+) -> list[tuple[Array, Array]]:
+    """Clock and vectors of each case; those that start alike share the search for the fastest root."""
+    known: dict[bytes, tuple[Array, Array]] = {}
+    result = []
+    for own, x, item in zip(parameters.T, starts, inputs, strict=True):
+        key = own.tobytes() + x.tobytes() + item.base.tobytes()
+        if key not in known:
+            ready = equations.ready._replace(parameters=np.ascontiguousarray(own))
+            known[key] = beginning(equations._replace(ready=ready), x, item, largest)
+        result.append(known[key])
+    return result
+
+
+def joined_signals(inputs: Sequence[Driven]) -> tuple[Array, Any]:
+    """The pieces of all cases, and their signals, (cases, signals, 4); what changes in one is a signal in all."""
+    changing = sorted({int(signal[INPUT]) for item in inputs for signal in item.signals})
+    pieces: list[Array] = []
+    signals = np.zeros((len(inputs), len(changing), 4), dtype=np.int64)
+    begin = 0
+    for c, item in enumerate(inputs):
+        own = {int(signal[INPUT]): signal for signal in item.signals}
+        for k, place in enumerate(changing):
+            rows = np.zeros((1, DEGREE + 2))
+            rows[0, 1] = item.base[place]
+            if place in own:
+                rows = item.pieces[own[place][FIRST] : own[place][LAST] + 1]
+            pieces.append(rows)
+            signals[c, k] = place, begin, begin + len(rows) - 1, begin
+            begin += len(rows)
+    return np.concatenate([np.empty((0, DEGREE + 2)), *pieces]), signals

@@ -1,0 +1,137 @@
+"""Any function of time as polynomials piece by piece, as exact as its numbers."""
+
+import itertools
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from eom.assembly.vectors import Array
+from eom.errors import SimulationError
+from eom.simulation.pieces import DEGREE
+
+LONGEST = 0.125
+"""Piece [s] to begin with: what happens in a shorter time, from nothing to nothing, may be overlooked."""
+SHORTEST = 1e-9
+"""Piece [s] that is not divided any more: there the function or its slope jumps."""
+SMOOTH = 1e-7
+"""Jump of value and slope between pieces over the largest value, below which there is none."""
+NOISE = 1e-5
+"""Largest rounding of a function over its largest value; a smaller jump is none."""
+MOST = 1000
+"""Pieces per longest piece."""
+ACCURATE = 1e-12
+"""Error of a piece over the largest value of the function."""
+NODES = 0.5 - 0.5 * np.cos(np.pi * np.arange(DEGREE + 1) / DEGREE)
+"""Instants of a piece of length one at which a polynomial takes the function's values: Chebyshev's, ends included."""
+BETWEEN = np.array([0.021, 0.217, 0.483, 0.741, 0.967])
+"""Instants at which it is compared with the function."""
+TO_POWERS = np.linalg.inv(np.vander(NODES, increasing=True))
+CHECK = np.vander(BETWEEN, DEGREE + 1, increasing=True) @ TO_POWERS
+
+
+class Broken(NamedTuple):
+    """Pieces of an input.
+
+    Rows as in `eom.simulation.pieces`, the jumps between them [s], until when they hold [s], why not longer, and the
+    exception that ended them, if one did.
+    """
+
+    rows: Array
+    stops: Array
+    until: float
+    why: str
+    cause: Exception | None = None
+
+
+class Piece(NamedTuple):
+    """A piece as tried: where it begins and how long it is [s], the function at `NODES`, its largest error between."""
+
+    begin: float
+    length: float
+    values: Array
+    error: float
+
+    @property
+    def finite(self) -> bool:
+        """Whether the function gave numbers."""
+        return bool(np.isfinite(self.error))
+
+
+def pieces_of(function: Callable[[float], float], name: str, duration: float) -> Broken:
+    """The pieces of a function from 0 to a duration; they end where it gives no finite number, or raises an exception.
+
+    Raises `SimulationError` for a function that jumps too often.
+    """
+    raised: Exception | None = None
+
+    def at(t: float) -> float:
+        """The function at an instant, not a number where it has none."""
+        nonlocal raised
+        try:
+            return float(function(t))
+        except Exception as error:  # noqa: BLE001  whatever it is, the sentence tells it
+            raised = error
+            return float("nan")
+
+    def tried(begin: float, end: float) -> Piece:
+        """A piece."""
+        length = end - begin
+        values = np.array([at(begin + length * node) for node in NODES])
+        between = np.array([at(begin + length * node) for node in BETWEEN])
+        return Piece(begin, length, values, float(np.max(np.abs(CHECK @ values - between))))
+
+    edges = np.append(np.arange(0.0, duration, LONGEST), duration)
+    waiting = [tried(begin, end) for begin, end in itertools.pairwise(edges)][::-1]
+    largest = max((float(np.max(np.abs(item.values))) for item in waiting if item.finite), default=0.0)
+    rows, stops, most = list[Array](), list[float](), MOST * len(waiting)
+    while waiting:
+        item = waiting.pop()
+        if item.error <= ACCURATE * largest:
+            rows.append(row(item))
+        elif item.length > SHORTEST:
+            middle = item.begin + 0.5 * item.length
+            halves = tried(item.begin, middle), tried(middle, item.begin + item.length)
+            if item.error <= NOISE * largest and min(half.error for half in halves) > 0.5 * item.error:
+                # what does not fall on either side is rounding of the function itself
+                rows.append(row(item))
+            else:
+                waiting += halves[::-1]
+        elif item.finite:
+            # the jump is at the end of what cannot be divided
+            rows.append(row(item._replace(values=np.full(DEGREE + 1, item.values[0]))))
+            stops.append(item.begin + item.length)
+        else:
+            why = f"input {name} is not finite from {item.begin:.9g} s on"
+            if raised is not None:
+                why = f"input {name} at {item.begin:.9g} s: its function raised {type(raised).__name__}: {raised}"
+            return joined(rows, stops, largest, item.begin, why, raised)
+        if len(rows) + len(waiting) > most:
+            told = f"input {name}: its function jumps too often about {item.begin:.6g} s: give it as Steps or as Table"
+            raise SimulationError(told)
+    return joined(rows, stops, largest, np.inf, "", None)
+
+
+def row(item: Piece) -> Array:
+    """The coefficients of a piece."""
+    return row_of(item.begin, item.length, item.values)
+
+
+def row_of(begin: float, length: float, values: Array) -> Array:
+    """A piece by its values at `NODES`."""
+    return np.concatenate(([begin], TO_POWERS @ values / length ** np.arange(DEGREE + 1)))
+
+
+def joined(
+    rows: list[Array], stops: list[float], largest: float, until: float, why: str, cause: Exception | None
+) -> Broken:
+    """The pieces found; where one does not go on as the one before ends there is a stop."""
+    found = np.array(rows).reshape(-1, DEGREE + 2)
+    for before, after in itertools.pairwise(found):
+        length = after[0] - before[0]
+        powers = length ** np.arange(DEGREE + 1)
+        end = before[1:] @ powers
+        slope = before[2:] @ (np.arange(1, DEGREE + 1) * powers[:-1])
+        if abs(after[1] - end) + length * abs(after[2] - slope) > SMOOTH * largest:
+            stops.append(after[0])
+    return Broken(found, np.unique(stops), until, why, cause)

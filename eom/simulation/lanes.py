@@ -1,0 +1,280 @@
+"""Many cases at once in NumPy, by the classical method: what `eom.simulation.advance` does, case by case in lanes.
+
+Every array's last axis is that of the cases. Each case takes the very steps that it would take alone.
+"""
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from eom.assembly.vectors import Array
+from eom.simulation import memory as of
+from eom.simulation.accepted import LOCATED
+from eom.simulation.advance import GUARD, LOOK, STABLE_4
+from eom.simulation.pieces import CURSOR, DEGREE, FIRST, INPUT, LAST
+from eom.simulation.stiffness import NUDGE
+
+if TYPE_CHECKING:
+    from eom.simulation.fleet import Fleet
+
+
+class Step(NamedTuple):
+    """A step of every case: begin and length [s], states and rates at both ends, (n, cases)."""
+
+    t: Array
+    h: Array
+    x: Array
+    new: Array
+    f: Array
+    f_new: Array
+
+    def at(self, share: Array) -> Array:
+        """The states at shares of the steps, cubic between the ends."""
+        change = self.new - self.x
+        bent = self.h * self.f - change
+        twisted = change - self.h * self.f_new - bent
+        return np.asarray(self.x + share * (change + (1.0 - share) * (bent + share * twisted)))
+
+    def of(self, cases: Any) -> "Step":
+        """The step of some cases."""
+        return Step(*(part[..., cases] for part in self))
+
+
+class Lanes:
+    """Some cases of a fleet, last axis."""
+
+    def __init__(self, fleet: "Fleet", cases: Any) -> None:
+        self.fleet, self.cases = fleet, cases
+        self.n, self.limits, self.inputs = (int(fleet.at[k]) for k in (of.STATES, of.LIMITS, of.INPUTS))
+        self.p = np.ascontiguousarray(fleet.parameters[:, cases])
+        self.base = np.ascontiguousarray(fleet.work[cases, : self.inputs].T)
+        self.signals = fleet.signals[cases]
+        self.x = np.ascontiguousarray(fleet.v[cases, of.X].T)
+        self.direction = np.ascontiguousarray(fleet.v[cases, of.DIRECTION].T)
+        self.size, self.growing = fleet.v[0, of.SIZE][:, np.newaxis], fleet.v[0, of.GROWING][:, np.newaxis]
+        self.time, self.root, self.looked = (fleet.clock[cases, k] for k in (of.TIME, of.ROOT, of.LOOKED))
+        self.status = fleet.status[cases]
+        self.stop = np.zeros(len(cases), dtype=np.int64)
+        self.margins = np.ascontiguousarray(fleet.margins[cases, of.BEFORE].T)
+
+    def fill(self, t: Array, before: Any, cases: Any) -> Array:
+        """Inputs of some cases, each at an instant, at a joint *before* it or after, (inputs, cases)."""
+        u, pieces = self.base[:, cases].copy(), self.fleet.pieces
+        for k in range(self.signals.shape[1]):
+            signal = self.signals[cases, k]
+            piece, first, last = signal[:, CURSOR], signal[:, FIRST], signal[:, LAST]
+            while True:
+                following = pieces[np.minimum(piece + 1, len(pieces) - 1), 0]
+                later = (piece < last) & ((following < t) | ((following == t) & ~before))
+                own = pieces[piece, 0]
+                earlier = (piece > first) & ((own > t) | ((own == t) & before)) & ~later
+                if not np.any(later | earlier):
+                    break
+                piece = piece + later - earlier
+            self.signals[cases, k, CURSOR] = piece
+            since, value = t - pieces[piece, 0], np.zeros(len(t))
+            for power in range(DEGREE, -1, -1):
+                value = value * since + pieces[piece, 1 + power]
+            u[signal[0, INPUT]] = value
+        return u
+
+    def results(self, t: Array, before: Any, x: Array, level: int, cases: Any = slice(None)) -> Array:
+        """Results of some cases at instants and states, (results, cases), those of the last level alone."""
+        u = self.fill(t, before, cases)
+        with np.errstate(all="ignore"):
+            found = self.fleet.program.of_arrays(x, u, self.p[:, cases], level)
+        return np.array(np.broadcast_arrays(*found, t)[:-1])
+
+    def size_of(self, change: Array) -> Array:
+        """Root mean square of changes of the states over their size, (cases,)."""
+        ratio = change / (self.size + self.growing * np.abs(self.x))
+        return np.asarray(np.sqrt(np.mean(ratio * ratio, axis=0)))
+
+    def go_on(self, until: Array, pause: float, closed: bool, room: Array) -> None:
+        """Go on to instants [s], one for every case of the fleet, or past a pause."""
+        until, pausing = until[self.cases], np.minimum(until[self.cases], pause)
+        self.find_stops()
+        active = (self.status == of.DONE) & (self.time < pausing)
+        f, margins = self.start(self.margins, active, room)
+        begun = active | (self.status == of.TERMINAL) & (self.time < pausing)
+        self.sample(Step(self.time, 0.0 * self.time, self.x, self.x, f, f), self.time, begun, begun)
+        active &= self.status == of.DONE
+        while np.any(active):
+            self.look(f, active)
+            following = self.following()
+            end = np.minimum(until, following)
+            left = np.where(active, end - self.time, 0.0)
+            parts = np.ceil(left / self.fleet.settings[of.LARGEST] * (1.0 - 1e-9))
+            h = left / np.maximum(parts, 1.0)
+            self.ended(active & (h * self.root > STABLE_4), of.UNSTABLE, active)
+            new, f_new, new_margins, error = self.step(h, f)
+            wrong = self.size_of(error) / self.fleet.settings[of.TOLERANCE]
+            self.ended(active & ~np.isfinite(wrong), of.DIVERGED, active)
+            self.ended(active & ~(wrong <= GUARD), of.INACCURATE, active)
+            taken = Step(self.time, np.where(active, h, 0.0), self.x, np.where(active, new, self.x), f, f_new)
+            now = np.where(active, np.where(h == left, end, self.time + h), self.time)
+            reach = self.events(taken, margins, new_margins, active, room)
+            cut = active & (reach <= 1.0)
+            ended = np.where(cut, taken.t + reach * taken.h, now)
+            self.sample(taken, ended, active, closed | (ended < until))
+            self.x = np.where(cut, taken.at(np.where(cut, reach, 1.0)), taken.new)
+            self.status[cut] = of.TERMINAL
+            self.fleet.counts[self.cases[active], of.RUNGE_KUTTA] += 1
+            f, margins = np.where(active, f_new, f), np.where(active, new_margins, margins)
+            joint, self.time = active & ~cut & (now == following) & (now < until), ended
+            self.stop += joint
+            active &= ~cut
+            if np.any(joint):
+                found = self.start(margins, joint, room)
+                f, margins = np.where(joint, found[0], f), np.where(joint, found[1], margins)
+                active &= self.status == of.DONE
+            active &= self.time < pausing
+            if np.any(self.fleet.counts[self.cases, of.EVENTS] + self.limits > room.shape[1]):
+                # more room is made before it goes on
+                self.ended(active.copy(), of.FULL, active)
+        self.hand_back(margins)
+
+    def find_stops(self) -> None:
+        """The stop that comes next in each case."""
+        for k, c in enumerate(self.cases):
+            own = self.fleet.stops[self.fleet.stops_first[c] : self.fleet.stops_first[c + 1]]
+            self.stop[k] = self.fleet.stops_first[c] + np.searchsorted(own, self.time[k], side="right")
+
+    def following(self) -> Array:
+        """The instant [s] of the next stop of each case."""
+        there = self.stop < self.fleet.stops_first[self.cases + 1]
+        padded = np.append(self.fleet.stops, np.inf)
+        return np.where(there, padded[np.minimum(self.stop, len(self.fleet.stops))], np.inf)
+
+    def start(self, before: Array, starting: Any, room: Array) -> tuple[Array, Array]:
+        """Rates and margins at the instants from which to go on; limits that are crossed there in cases that start."""
+        found = self.results(self.time, np.zeros(len(self.time), dtype=bool), self.x, 1)
+        f, margins = found[: self.n], found[self.n :]
+        limit, lane = np.nonzero(((before < 0.0) != (margins < 0.0)) & starting)
+        for k in np.lexsort((limit, lane)):
+            reached = bool(margins[limit[k], lane[k]] < 0.0)
+            self.note(lane[k], self.time[lane[k]], limit[k], reached, self.x[:, lane[k]], room)
+            if reached and self.fleet.terminal[limit[k]]:
+                self.status[lane[k]] = of.TERMINAL
+        return f, margins
+
+    def note(self, lane: int, t: float, limit: int, reached: bool, x: Array, room: Array) -> None:
+        """Write an event down; there is room for those of many steps, and one case that has none left is wrong."""
+        case = self.cases[lane]
+        event = self.fleet.counts[case, of.EVENTS]
+        room[case, event, : of.EVENT_STATE] = t, limit, reached
+        room[case, event, of.EVENT_STATE :] = x
+        self.fleet.counts[case, of.EVENTS] += 1
+
+    def look(self, f: Array, active: Any) -> None:
+        """Look for the fastest roots again where it is time, as `eom.simulation.stiffness.fastest`."""
+        step = np.minimum(self.fleet.clock[self.cases, of.STEP], LOOK)
+        due = active & (self.time + step > self.looked + LOOK)
+        if not np.any(due):
+            return
+        once = self.change(self.direction, f)
+        again = self.change(once, f)
+        size = self.size + self.growing * np.abs(self.x)
+        d, e, g = self.direction / size, once / size, again / size
+        dd, de, ee = np.sum(d * d, axis=0), np.sum(d * e, axis=0), np.sum(e * e, axis=0)
+        df, ef = np.sum(d * g, axis=0), np.sum(e * g, axis=0)
+        apart = ee * dd - de * de
+        with np.errstate(all="ignore"):
+            a, b = (ef * dd - df * de) / apart, (ee * df - de * ef) / apart
+            inner = a * a + 4.0 * b
+            pair = np.where(
+                inner >= 0.0, 0.5 * (np.abs(a) + np.sqrt(np.maximum(inner, 0.0))), np.sqrt(np.maximum(-b, 0.0))
+            )
+            root = np.where(apart > 1e-8 * ee * dd, pair, np.sqrt(ee / dd))
+            length = self.size_of(again)
+            good = due & (length > 0.0) & np.isfinite(length)
+            self.direction = np.where(good, again / np.where(good, length, 1.0), self.direction)
+        self.root = np.where(due & np.isfinite(root), root, self.root)
+        self.looked = np.where(due, self.time, self.looked)
+
+    def change(self, direction: Array, f: Array) -> Array:
+        """The Jacobians times directions, by differences."""
+        length = self.size_of(direction)
+        step = NUDGE / np.where(length > 0.0, length, np.inf)
+        near = self.results(self.time, np.zeros(len(self.time), dtype=bool), self.x + step * direction, 0)
+        return np.asarray(np.where(step > 0.0, (near - f) / np.where(step > 0.0, step, 1.0), 0.0))
+
+    def step(self, h: Array, f: Array) -> tuple[Array, Array, Array, Array]:
+        """State, rates, margins at the end of a step, and its error, as `eom.simulation.steps.runge_kutta`."""
+        before = np.ones(len(h), dtype=bool)
+        half = self.results(self.time + 0.5 * h, before, self.x + 0.5 * h * f, 0)
+        again = self.results(self.time + 0.5 * h, before, self.x + 0.5 * h * half, 0)
+        full = self.results(self.time + h, before, self.x + h * again, 0)
+        new = self.x + h / 6.0 * (f + 2.0 * (half + again) + full)
+        found = self.results(self.time + h, before, new, 1)
+        return new, found[: self.n], found[self.n :], h / 6.0 * (full - found[: self.n])
+
+    def ended(self, cases: Any, status: int, active: Any) -> None:
+        """End some cases."""
+        self.status[cases] = status
+        active &= ~cases
+
+    def events(self, step: Step, margins: Array, new: Array, active: Any, room: Array) -> Array:
+        """Note the limits that are crossed in a step; the share of it after which each case ends, 2 if it does not."""
+        reach = np.full(len(self.time), 2.0)
+        limit, lane = np.nonzero(((margins < 0.0) != (new < 0.0)) & active)
+        if not limit.size:
+            return reach
+        share = self.crossings(step.of(lane), limit, margins[limit, lane], new[limit, lane], lane)
+        reached = new[limit, lane] < 0.0
+        ending = self.fleet.terminal[limit] & reached
+        np.minimum.at(reach, lane[ending], share[ending])
+        states = step.of(lane).at(share)
+        for k in np.lexsort((limit, lane)):
+            if share[k] <= min(reach[lane[k]], 1.0):
+                at = step.t[lane[k]] + share[k] * step.h[lane[k]]
+                self.note(lane[k], at, limit[k], bool(reached[k]), states[:, k], room)
+        return reach
+
+    def crossings(self, step: Step, limit: Any, below: Array, above: Array, lane: Any) -> Array:
+        """Shares of the steps at which margins are zero, as `eom.simulation.accepted.crossing`."""
+        lower, upper, left, right, ends = 0.0 * below, 0.0 * below + 1.0, below.copy(), above.copy(), above < 0.0
+        halve = np.zeros(len(limit), dtype=bool)
+        while np.any(upper - lower > LOCATED):
+            going, width = upper - lower > LOCATED, upper - lower
+            line = lower + width * left / np.where(left == right, 1.0, left - right)
+            share = np.where(halve, lower + 0.5 * width, np.clip(line, lower + 0.25 * LOCATED, upper - 0.25 * LOCATED))
+            before = np.ones(len(limit), dtype=bool)
+            results = self.results(step.t + share * step.h, before, step.at(share), 1, lane)
+            found = results[self.n + limit, np.arange(len(limit))]
+            same = (found < 0.0) == ends
+            beyond, nearer = going & same, going & ~same
+            upper, right = np.where(beyond, share, upper), np.where(beyond, found, np.where(nearer, 0.5 * right, right))
+            lower, left = np.where(nearer, share, lower), np.where(nearer, found, np.where(beyond, 0.5 * left, left))
+            halve = np.where(going, upper - lower > 0.5 * width, halve)
+        return upper
+
+    def sample(self, step: Step, end: Array, active: Any, closed: Any) -> None:
+        """Fill in the samples that are due until the instants to which the cases get, those at *closed* ones too."""
+        fleet, counts = self.fleet, self.fleet.counts
+        padded = np.append(fleet.times, np.inf)
+        while True:
+            instants = padded[np.minimum(counts[self.cases, of.SAMPLES], len(fleet.times))]
+            due = np.flatnonzero(active & ((instants < end) | ((instants == end) & closed)))
+            if not due.size:
+                return
+            t, own = instants[due], step.of(due)
+            x = own.at((t - own.t) / np.where(own.h > 0.0, own.h, 1.0))
+            u = self.fill(t, np.zeros(len(due), dtype=bool), due)
+            found = self.results(t, np.zeros(len(due), dtype=bool), x, 2, due)
+            every = np.concatenate((x, u, found[self.n + self.limits :]))
+            rows = self.cases[due]
+            fleet.rows[rows, counts[rows, of.SAMPLES]] = every[fleet.columns].T
+            counts[rows, of.SAMPLES] += 1
+
+    def hand_back(self, margins: Array) -> None:
+        """Leave everything where the next time finds it."""
+        fleet, cases = self.fleet, self.cases
+        fleet.v[cases, of.X], fleet.v[cases, of.DIRECTION] = self.x.T, self.direction.T
+        fleet.clock[cases, of.TIME], fleet.clock[cases, of.ROOT] = self.time, self.root
+        fleet.clock[cases, of.LOOKED], fleet.status[cases], fleet.signals[cases] = (
+            self.looked,
+            self.status,
+            self.signals,
+        )
+        fleet.margins[cases, of.BEFORE] = margins.T
