@@ -44,6 +44,9 @@ pictures: .venv/installed
 	$(BIN)/eom sweep vehicles/motorcycle.yaml U=2:65:0.5m/s --out docs/images
 	$(BIN)/eom sweep vehicles/car_trailer.yaml U=40:180:5km/h ahead=-0.4:0.6:0.05m --out docs/images
 	$(BIN)/eom tyre vehicles/tyres/passenger_car.tir --out docs/images
+	$(BIN)/eom simulate $(VEHICLE) --run vehicles/runs/lane_change.yaml \
+		--input axle_1.steer=sine:3.58deg:0.4Hz:0.5s --duration 6s --out build
+	cp build/b_train_run.png docs/images/lane_change_run.png
 	rm -f docs/images/*.csv docs/images/*.svg docs/images/full_car_frequency.png
 
 clean:

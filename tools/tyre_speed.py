@@ -13,6 +13,7 @@ import llvmlite.binding as llvm
 import numba
 import numpy as np
 
+from eom.program.make import CALL
 from eom.tyre import Dugoff, Kernel, Linear, MagicFormula, Tyre, compile_forces, read_tir, stack
 
 COUNT, ROUNDS = 18, 7
@@ -46,17 +47,17 @@ def best(call: Callable[[], object], repeats: int) -> float:
 
 def in_loop(kernel: Kernel, arguments: "np.ndarray[Any, Any]") -> float:
     """Microseconds of one evaluation in a compiled loop; each depends on the one before: none can be left out."""
-    run, repeats = kernel.run, 5000
+    run, repeats = CALL(kernel.ready.program.address), 5000
 
-    def loop(table: Any, x: Any, out: Any) -> None:
+    def loop(x: Any, u: Any, p: Any, scratch: Any, out: Any) -> None:
         for _ in range(repeats):
-            run(table, x, out)
-            x[0, 0] += 1e-12 * out[1, 0]
+            run(x.ctypes.data, u.ctypes.data, p.ctypes.data, scratch.ctypes.data, out.ctypes.data, 0)
+            x[0] += 1e-12 * out[1]
 
     compiled = numba.njit(loop)
-    x, out = arguments.copy(), np.empty_like(arguments)
-    compiled(kernel.table, x, out)
-    return best(lambda: compiled(kernel.table, x, out), 1) / repeats
+    x, out, scratch = arguments.ravel(), np.empty(arguments.size), np.ones(kernel.ready.program.plan.scratch)
+    compiled(x, np.empty(0), kernel.ready.parameters, scratch, out)
+    return best(lambda: compiled(x, np.empty(0), kernel.ready.parameters, scratch, out), 1) / repeats
 
 
 def main() -> None:
@@ -79,12 +80,10 @@ def main() -> None:
         joined = stack([tyre] * COUNT)
         start = time.perf_counter()
         kernel = compile_forces(joined)
-        out = np.empty_like(arguments)
-        kernel.run(kernel.table, arguments, out)
         compilation = time.perf_counter() - start
         numpy_time = best(lambda: joined.forces(*arguments), 300)  # noqa: B023  called at once
         loop_time = in_loop(kernel, arguments)
-        call_time = best(lambda: kernel.run(kernel.table, arguments, out), 2000)  # noqa: B023
+        call_time = best(lambda: kernel.forces(*arguments), 300)  # noqa: B023
         numbers = (
             f"{numpy_time:8.1f}{loop_time:10.2f}{numpy_time / loop_time:7.0f}{call_time:13.2f}{compilation:12.1f} s"
         )

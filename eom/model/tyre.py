@@ -110,10 +110,18 @@ class TyreModel:
     def trim(self, speed: float | None = None) -> Run:
         """The straight run at a forward speed [m/s], the file's own if none is given; raises `EquilibriumError`."""
         own = self.prepared.trim
+        at = own.speed if speed is None else float(speed)
         try:
-            return Run(*steady(self.numbers, own.speed if speed is None else speed, own.slip, own.torque))
+            if at not in self._runs:
+                self._runs[at] = Run(*steady(self.numbers, at, own.slip, own.torque))
         except TrimError as error:
             raise EquilibriumError(str(self.vehicle.mistake(error.owner, str(error)))) from None
+        return Run(*(part.copy() for part in self._runs[at]))
+
+    @functools.cached_property
+    def _runs(self) -> dict[float, Run]:
+        """Straight runs that were found, by speed."""
+        return {}
 
     def coordinates(self, x: ArrayLike) -> Mapping[str, float]:
         """Displacements from the drawing and velocities of all bodies at a state, by name.

@@ -1,1 +1,1 @@
-"""Equations as a program: traced once from the functions that NumPy runs, then machine code, or NumPy over many cases."""
+"""Equations as a program: traced once from functions that NumPy runs, then machine code, or NumPy over many cases."""

@@ -14,7 +14,8 @@ MANY = 4
 
 def elementwise(function: Callable[..., Any], arity: int) -> Callable[..., Any]:
     """A function of scalars over arrays of objects."""
-    return np.frompyfunc(function, arity, 1)
+    made: Callable[..., Any] = np.frompyfunc(function, arity, 1)
+    return made
 
 
 def one(op: Op) -> Callable[..., Any]:
@@ -30,9 +31,10 @@ def two(op: Op) -> Callable[..., Any]:
 def equal(a: Any, b: Any) -> Node:
     """1 where two constants are equal, else 0; a parameter is never like a constant, or it would be one."""
     a, b = both(a, b)
+    tape: Tape = a.tape
     if not {a.op[0], b.op[0]} <= {Op.CONST, Op.PARAMETER}:
         raise TypeError(BRANCH)
-    return a.tape.constant(float(a.place == b.place))
+    return tape.constant(float(a.place == b.place))
 
 
 def infinite(a: Node) -> Node:
@@ -108,7 +110,9 @@ class NodeArray(np.ndarray[Any, np.dtype[np.object_]]):
     def solve_positive(self, right: Any) -> Any:
         """Solution of a system whose matrix this is, symmetric and positive definite: by L D L'."""
         n = len(self)
-        L, pivots, inverse = np.zeros((n, n), dtype=object), [], []
+        L = np.zeros((n, n), dtype=object)
+        pivots: list[Any] = []
+        inverse: list[Any] = []
         for j in range(n):
             moved = [L[j, k] * pivots[k] for k in range(j)]
             for i in range(j, n):

@@ -8,6 +8,7 @@ import sys
 import tempfile
 from collections.abc import Iterator
 from functools import cache
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -71,8 +72,7 @@ def replace(path: Path, content: bytes) -> None:
 @contextlib.contextmanager
 def straight_lines_in_vectors() -> Iterator[None]:
     """Within it numba's compiler joins like operations of straight lines to vector instructions."""
-    from numba.core import config  # noqa: PLC0415
-
+    config: Any = import_module("numba.core.config")
     before = config.SLP_VECTORIZE
     config.SLP_VECTORIZE = 1
     try:

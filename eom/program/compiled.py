@@ -1,7 +1,8 @@
 """Compilation by numba: of programs, and of plain functions that call them."""
 
+import contextlib
 import pickle
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import cache
 from importlib import import_module
 from pathlib import Path
@@ -28,12 +29,25 @@ def evaluate(state, source, parameters, scratch, results, level):
     program(state, source, parameters, scratch, results, level)
 '''
 
+HIDDEN: list[bool] = []
 WAITING: dict[str, Callable[[], Plan]] = {}
 """Plans of programs that are being loaded, by name."""
 
 
+@contextlib.contextmanager
+def without_compiler() -> Iterator[None]:
+    """Within it everything runs in Python and NumPy, as where numba is not installed."""
+    HIDDEN.append(True)
+    try:
+        yield
+    finally:
+        HIDDEN.pop()
+
+
 def installed() -> bool:
     """Whether there is a compiler."""
+    if HIDDEN:
+        return False
     try:
         import_module("numba")
     except ImportError:

@@ -13,10 +13,12 @@ import numpy as np
 from eom.program import elementary
 from eom.program.arrays import as_nodes
 from eom.program.numbers import Coefficients
-from eom.program.plan import LANE_BLOCK, Launch, Plan, reached
+from eom.program.plan import Launch, Plan, reached
 from eom.program.tape import Op, Tape
 
 POINTERS = ("state", "input", "parameters", "scratch", "results")
+WIDE = 8
+"""Lanes side by side: two vector registers of four, which hide each other's latency."""
 SLOPPY = ("contract",)
 """A product and a sum may be one instruction: more exact, not less."""
 
@@ -199,48 +201,18 @@ def write(plan: Plan, builder: Any, pointers: Sequence[Any], level: Any) -> None
 
 def write_stage(plan: Plan, stage: int, memory: Memory, level: Any) -> None:
     """Scalar operations of a stage, arguments of the calls that follow, and results in the last one."""
-    tape, builder = plan.tape, memory.builder
-    parameter = {place: k for k, place in reversed(list(enumerate(plan.parameters)))}
-    result = {}
-    for launches in plan.launches:
-        for item in launches:
-            result.update({pair: (item, lane) for lane, pair in enumerate(item.lanes)})
-    values: dict[int, Value] = {}
-
-    def value(place: int) -> Value:
-        """The value of a place: computed in this stage, or loaded."""
-        if place not in values:
-            op, *args = tape.ops[place]
-            if op == Op.CONST:
-                values[place] = Value(builder, constant(double(), tape.constants[args[0]]))
-            elif place in parameter:
-                values[place] = memory.load("parameters", parameter[place])
-            elif op in {Op.STATE, Op.INPUT}:
-                values[place] = memory.load("state" if op == Op.STATE else "input", args[0])
-            elif op == Op.LANE:
-                item, lane = result[args[0], args[2]]
-                values[place] = memory.load("scratch", item.results + item.stride * args[1] + lane)
-            else:
-                values[place] = memory.load("scratch", plan.slots[place])
-        return values[place]
+    values, builder = Values(plan, memory), memory.builder
 
     def write_level(k: int) -> None:
         """What a level needs, and those after it."""
         for place in plan.stages[stage][k]:
-            op, *args = tape.ops[place]
-            values[place] = WRITTEN[Op(op)](*map(value, args))
-            if place in plan.slots:
-                memory.store(values[place], "scratch", plan.slots[place])
+            values.compute(place)
         for item in plan.launches[stage]:
-            for lane, (index, own) in enumerate(item.lanes):
-                if plan.call_levels[index] == k:
-                    for row in item.filled:
-                        place = tape.calls[index].arguments[row][own]
-                        memory.store(value(place), "scratch", item.arguments[row][1] + lane)
+            fill_lanes(plan, item, k, values)
         if stage == len(plan.stages) - 1:
             first = sum(len(group) for group in plan.roots[:k])
             for row, place in enumerate(plan.roots[k]):
-                memory.store(value(place), "results", first + row)
+                memory.store(values.of(place), "results", first + row)
         if k + 1 < len(plan.roots):
             with builder.if_then(builder.icmp_signed(">", level, constant(integer(), k))):
                 write_level(k + 1)
@@ -248,27 +220,85 @@ def write_stage(plan: Plan, stage: int, memory: Memory, level: Any) -> None:
     write_level(0)
 
 
+def fill_lanes(plan: Plan, item: Launch, level: int, values: "Values") -> None:
+    """Set the arguments of a launch that are not there already, of the calls that a level needs first."""
+    for lane, (index, own) in enumerate(item.lanes):
+        if plan.call_levels[index] == level:
+            for row in item.filled:
+                place = plan.tape.calls[index].arguments[row][own]
+                values.memory.store(values.of(place), "scratch", item.arguments[row][1] + lane)
+
+
+class Values:
+    """The values of places in a stage."""
+
+    def __init__(self, plan: Plan, memory: Memory) -> None:
+        self.plan, self.memory = plan, memory
+        self.parameter = {place: k for k, place in reversed(list(enumerate(plan.parameters)))}
+        self.result = {
+            pair: (item, lane)
+            for launches in plan.launches
+            for item in launches
+            for lane, pair in enumerate(item.lanes)
+        }
+        self.known: dict[int, Value] = {}
+
+    def of(self, place: int) -> Value:
+        """The value of a place: computed in this stage, or loaded."""
+        if place not in self.known:
+            self.known[place] = self.loaded(place)
+        return self.known[place]
+
+    def loaded(self, place: int) -> Value:
+        """A value from where it stands in memory."""
+        op, *args = self.plan.tape.ops[place]
+        if op == Op.CONST:
+            return Value(self.memory.builder, constant(double(), self.plan.tape.constants[args[0]]))
+        if place in self.parameter:
+            return self.memory.load("parameters", self.parameter[place])
+        if op in {Op.STATE, Op.INPUT}:
+            return self.memory.load("state" if op == Op.STATE else "input", args[0])
+        if op == Op.LANE:
+            item, lane = self.result[args[0], args[2]]
+            return self.memory.load("scratch", item.results + item.stride * args[1] + lane)
+        return self.memory.load("scratch", self.plan.slots[place])
+
+    def compute(self, place: int) -> None:
+        """Do an operation; what later stages need is kept."""
+        op, *args = self.plan.tape.ops[place]
+        self.known[place] = WRITTEN[Op(op)](*map(self.of, args))
+        if place in self.plan.slots:
+            self.memory.store(self.known[place], "scratch", self.plan.slots[place])
+
+
 def write_lanes(launch: Launch, memory: Memory) -> None:
-    """A loop over the lanes of a call."""
+    """A loop over the lanes of a call, and half a block if that is what is left."""
     cgutils: Any = import_module("numba.core.cgutils")
     tape, roots = lane_tape(launch)
-    builder, kind = memory.builder, import_module("llvmlite.ir").VectorType(double(), LANE_BLOCK)
-    zero, count, step = (constant(integer(), number) for number in (0, launch.stride, LANE_BLOCK))
-    with cgutils.for_range_slice(builder, zero, count, step, intp=integer()) as (begin, _):
-        values: dict[int, Value] = {}
-        for place in sorted(reached(tape, roots)):
-            op, *args = tape.ops[place]
-            if op == Op.CONST:
-                values[place] = Value(builder, constant(kind, tape.constants[args[0]]))
-            elif op == Op.PARAMETER:
-                at = launch.coefficients + launch.stride * args[0]
-                values[place] = memory.load("parameters", at, begin, kind)
-            elif op == Op.INPUT:
-                values[place] = memory.load(*launch.arguments[args[0]], begin, kind)
-            else:
-                values[place] = WRITTEN[Op(op)](*(values[arg] for arg in args))
-        for row, place in enumerate(roots):
-            memory.store(values[place], "scratch", launch.results + launch.stride * row, begin)
+    whole = launch.stride // WIDE * WIDE
+    zero, end, step = (constant(integer(), number) for number in (0, whole, WIDE))
+    with cgutils.for_range_slice(memory.builder, zero, end, step, intp=integer()) as (begin, _):
+        write_block(tape, roots, launch, memory, begin, WIDE)
+    if whole < launch.stride:
+        write_block(tape, roots, launch, memory, constant(integer(), whole), launch.stride - whole)
+
+
+def write_block(tape: Tape, roots: Sequence[int], launch: Launch, memory: Memory, begin: Any, width: int) -> None:
+    """A call in some lanes side by side."""
+    kind = import_module("llvmlite.ir").VectorType(double(), width)
+    values: dict[int, Value] = {}
+    for place in sorted(reached(tape, roots)):
+        op, *args = tape.ops[place]
+        if op == Op.CONST:
+            values[place] = Value(memory.builder, constant(kind, tape.constants[args[0]]))
+        elif op == Op.PARAMETER:
+            values[place] = memory.load("parameters", launch.coefficients + launch.stride * args[0], begin, kind)
+        elif op == Op.INPUT:
+            values[place] = memory.load(*launch.arguments[args[0]], begin, kind)
+        else:
+            values[place] = WRITTEN[Op(op)](*(values[arg] for arg in args))
+    for row, place in enumerate(roots):
+        memory.store(values[place], "scratch", launch.results + launch.stride * row, begin)
 
 
 def lane_tape(launch: Launch) -> tuple[Tape, list[int]]:

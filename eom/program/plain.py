@@ -26,8 +26,8 @@ NUMBERS: dict[str, Callable[..., Any]] = {
     "ARCTAN": math.atan,
     "EXP": math.exp,
     "LOG": math.log,
-    "MAX": lambda a, b: max(a, b),
-    "MIN": lambda a, b: min(a, b),
+    "MAX": max,
+    "MIN": min,
     "COPYSIGN": math.copysign,
     "LESS": lambda a, b: float(a < b),
     "CHOOSE": lambda test, then, other: then if test != 0.0 else other,
@@ -41,7 +41,7 @@ Plain = Callable[[Any, Any, Any, int], list[Any]]
 
 def of_numbers(plan: Plan, code: CodeType) -> Plain:
     """The program of one case: states and inputs are lists, parameters an array."""
-    return bound(plan, code, {**NUMBERS, "stacked": np.array, "told": lambda rows: [row.tolist() for row in rows]})
+    return bound(plan, code, {**NUMBERS, "stacked": np.array, "told": lists})
 
 
 def of_arrays(plan: Plan, code: CodeType) -> Plain:
@@ -50,9 +50,15 @@ def of_arrays(plan: Plan, code: CodeType) -> Plain:
     return bound(plan, code, {**names, "stacked": stacked, "told": lambda rows: rows})
 
 
+def lists(rows: list[Any]) -> list[list[float]]:
+    """Rows as lists, which Python's numbers are faster from."""
+    return [row.tolist() for row in rows]
+
+
 def stacked(rows: list[Any]) -> Any:
     """Numbers and arrays over cases as rows of one array."""
-    return np.stack(np.broadcast_arrays(*rows))
+    result = np.stack(np.broadcast_arrays(*rows))
+    return result if result.ndim > 1 else result[:, np.newaxis]
 
 
 def compiled_text(plan: Plan) -> CodeType:
@@ -93,7 +99,7 @@ def caller(launch: Launch) -> Callable[..., Any]:
 def text(plan: Plan) -> Iterator[str]:
     """The lines of ``program(x, u, p, level)``."""
     yield "def program(x, u, p, level):"
-    tape, counter = plan.tape, 0
+    counter = 0
     expression = expressions(plan)
     for stage, own in enumerate(plan.launches):
         for level in range(len(plan.roots)):
@@ -105,10 +111,7 @@ def text(plan: Plan) -> Iterator[str]:
                 if place not in expression.inlined:
                     yield f"{indent}v{place} = {expression.of(place, whole=True)}"
         for launch in own:
-            rows = [
-                f"stacked([{', '.join(expression.of(tape.calls[index].arguments[row][lane]) for index, lane in launch.lanes)}])"
-                for row in range(len(launch.call.arguments))
-            ]
+            rows = [expression.row(launch, row) for row in range(len(launch.call.arguments))]
             wanted = min(plan.call_levels[index] for index, _ in launch.lanes)
             yield f"    if level >= {wanted}:"
             yield f"        r{counter} = told(call_{counter}(p, {', '.join(rows)}))"
@@ -129,6 +132,11 @@ class Expressions:
         self.result = {pair: (k, lane) for k, item in enumerate(launches(plan)) for lane, pair in enumerate(item.lanes)}
         self.inlined: set[int] = set()
         self.depth: dict[int, int] = {}
+
+    def row(self, launch: Launch, row: int) -> str:
+        """The text of a row of arguments of a launch."""
+        calls = self.plan.tape.calls
+        return f"stacked([{', '.join(self.of(calls[index].arguments[row][lane]) for index, lane in launch.lanes)}])"
 
     def of(self, place: int, *, whole: bool = False) -> str:
         """The text of a place: its name, or what is behind it."""

@@ -1,6 +1,8 @@
 """A plan of what to compute when: parameters beforehand, then stages of scalar operations and calls over lanes."""
 
+import itertools
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -10,8 +12,8 @@ from eom.program.arrays import as_nodes
 from eom.program.numbers import Numbers, lifted
 from eom.program.tape import LEAVES, VALUES, Call, Op, Tape
 
-LANE_BLOCK = 8
-"""Lanes are filled up to a multiple of this: two vector registers of four, which hide each other's latency."""
+LANE_BLOCK = 4
+"""Lanes are filled up to a multiple of this, a vector register."""
 
 
 class Launch(NamedTuple):
@@ -121,87 +123,57 @@ def needs(tape: Tape, place: int) -> tuple[int, ...]:
 
 def planned(tape: Tape, roots: tuple[tuple[int, ...], ...]) -> Plan:
     """The plan of a tape."""
+    level = first_levels(tape, roots)
+    times = staged(tape, sorted(level))
+    count = 1 + max(times.stage.values(), default=0)
+    parameters, late = needed(tape, roots, times, count)
+    layout = Layout(list(parameters), 0)
+    launches: list[tuple[Launch, ...]] = []
+    for s in range(count):
+        own: list[Launch] = []
+        for lanes in together(tape, [index for index, at in times.calls.items() if at == s + 1]):
+            own.append(launched(tape, lanes, times, layout, [*itertools.chain(*launches), *own]))
+        launches.append(tuple(own))
+    return Plan(
+        tape=tape,
+        roots=roots,
+        stages=tuple(computed(tape, s, level, times, len(roots)) for s in range(count)),
+        launches=tuple(launches),
+        slots={place: layout.scratch + k for k, place in enumerate(late)},
+        scratch=layout.scratch + len(late),
+        parameters=tuple(layout.parameters),
+        call_levels=first_call_levels(tape, level, len(roots)),
+    )
+
+
+def first_levels(tape: Tape, roots: tuple[tuple[int, ...], ...]) -> dict[int, int]:
+    """The first level that needs each place."""
     level: dict[int, int] = {}
     for k, group in enumerate(roots):
         for place in reached(tape, group):
             level.setdefault(place, k)
-    order = sorted(level)
-    varying, stage, call_stage = staged(tape, order)
-    early: dict[int, None] = {}
-    late: dict[int, int] = {}
+    return level
 
-    def used(place: int, at: int) -> None:
-        """Note that a place is needed in a stage."""
-        if place not in varying:
-            if tape.ops[place][0] != Op.CONST:
-                early.setdefault(place)
-        elif tape.ops[place][0] not in LEAVES and stage[place] != at:
-            late.setdefault(place, len(late))
 
-    count = 1 + max((stage[place] for place in varying), default=0)
-    for place in order:
-        if place in varying and tape.ops[place][0] not in LEAVES:
-            for arg in needs(tape, place):
-                used(arg, stage[place])
-    for index, at in call_stage.items():
-        for row in tape.calls[index].arguments:
-            for place in row:
-                if place in varying:
-                    used(place, at - 1)
-    for group in roots:
-        for place in group:
-            used(place, count - 1)
-    stages = tuple(
-        tuple(
-            tuple(
-                place
-                for place in order
-                if place in varying and tape.ops[place][0] not in LEAVES and (stage[place], level[place]) == (s, k)
-            )
-            for k in range(len(roots))
-        )
-        for s in range(count)
-    )
-    parameters, memory, launches = list(early), 0, []
-    for s in range(count):
-        own = []
-        for lanes in launched(tape, [index for index, at in call_stage.items() if at == s + 1]):
-            call = tape.calls[lanes[0][0]]
-            stride = -(-len(lanes) // LANE_BLOCK) * LANE_BLOCK
-            filling = [*lanes, *[lanes[-1]] * (stride - len(lanes))]
-            begin = len(parameters)
-            for row in range(len(call.coefficients)):
-                parameters.extend(tape.calls[index].coefficients[row][lane] for index, lane in filling)
-            arguments, filled = [], []
-            for row in range(len(call.arguments)):
-                places = [tape.calls[index].arguments[row][lane] for index, lane in filling]
-                there = result_row(
-                    tape, places[: len(lanes)], stride, [item for done in (*launches, own) for item in done]
-                )
-                if there is not None:
-                    arguments.append(("scratch", there))
-                elif not varying.intersection(places):
-                    arguments.append(("parameters", len(parameters)))
-                    parameters.extend(places)
-                else:
-                    arguments.append(("scratch", memory))
-                    filled.append(row)
-                    memory += stride
-            own.append(Launch(call, tuple(lanes), stride, tuple(arguments), tuple(filled), memory, begin))
-            memory += stride * call.rows
-        launches.append(tuple(own))
-    call_levels: dict[int, int] = {}
-    for place in order:
+def first_call_levels(tape: Tape, level: dict[int, int], levels: int) -> dict[int, int]:
+    """The first level that needs each call."""
+    found: dict[int, int] = {}
+    for place, own in level.items():
         if tape.ops[place][0] == Op.LANE:
             index = tape.ops[place][1]
-            call_levels[index] = min(level[place], call_levels.get(index, len(roots)))
-    slots = {place: memory + k for place, k in late.items()}
-    return Plan(tape, roots, stages, tuple(launches), slots, memory + len(slots), tuple(parameters), call_levels)
+            found[index] = min(own, found.get(index, levels))
+    return found
 
 
-def staged(tape: Tape, order: Sequence[int]) -> tuple[set[int], dict[int, int], dict[int, int]]:
-    """Which places vary in a run, after how many rounds of calls each can be computed, and each call's round."""
-    varying: set[int] = set()
+class Times(NamedTuple):
+    """When places can be computed: those that vary in a run, after how many rounds of calls, and each call's round."""
+
+    stage: dict[int, int]
+    calls: dict[int, int]
+
+
+def staged(tape: Tape, order: Sequence[int]) -> Times:
+    """When the places in *order* can be computed."""
     stage: dict[int, int] = {}
     calls: dict[int, int] = {}
     for place in order:
@@ -210,11 +182,86 @@ def staged(tape: Tape, order: Sequence[int]) -> tuple[set[int], dict[int, int], 
             if args[0] not in calls:
                 calls[args[0]] = 1 + max(stage.get(item, 0) for row in tape.calls[args[0]].arguments for item in row)
             stage[place] = calls[args[0]]
-            varying.add(place)
-        elif op in {Op.STATE, Op.INPUT} or any(arg in varying for arg in needs(tape, place)):
-            varying.add(place)
-            stage[place] = max((stage.get(arg, 0) for arg in needs(tape, place)), default=0)
-    return varying, stage, calls
+        elif op in {Op.STATE, Op.INPUT}:
+            stage[place] = 0
+        else:
+            varying = [stage[arg] for arg in needs(tape, place) if arg in stage]
+            if varying:
+                stage[place] = max(varying)
+    return Times(stage, calls)
+
+
+def needed(
+    tape: Tape, roots: tuple[tuple[int, ...], ...], times: Times, count: int
+) -> tuple[dict[int, None], dict[int, None]]:
+    """Places that are to be computed beforehand, and those that a later stage than their own needs."""
+    uses = [(arg, at) for place, at in times.stage.items() for arg in operands(tape, place)]
+    for index, at in times.calls.items():
+        uses += [(place, at - 1) for row in tape.calls[index].arguments for place in row if place in times.stage]
+    uses += [(place, count - 1) for group in roots for place in group]
+    early = {place: None for place, _ in uses if place not in times.stage and tape.ops[place][0] != Op.CONST}
+    late = {
+        place: None
+        for place, at in uses
+        if place in times.stage and tape.ops[place][0] not in LEAVES and times.stage[place] != at
+    }
+    return early, late
+
+
+def operands(tape: Tape, place: int) -> tuple[int, ...]:
+    """What an operation on scalars takes; nothing for what is no operation."""
+    return () if tape.ops[place][0] in LEAVES else tape.ops[place][1:]
+
+
+def computed(tape: Tape, stage: int, level: dict[int, int], times: Times, levels: int) -> tuple[tuple[int, ...], ...]:
+    """The operations of a stage, a group for each level that needs them first."""
+    own = [place for place in sorted(times.stage) if times.stage[place] == stage and tape.ops[place][0] not in LEAVES]
+    return tuple(tuple(place for place in own if level[place] == k) for k in range(levels))
+
+
+@dataclass
+class Layout:
+    """Parameters so far, as places of the tape, and the size of the scratch memory so far."""
+
+    parameters: list[int]
+    scratch: int
+
+    def room(self, size: int) -> int:
+        """Where room in the scratch memory begins."""
+        begin, self.scratch = self.scratch, self.scratch + size
+        return begin
+
+    def added(self, places: Sequence[int]) -> int:
+        """Where more parameters begin."""
+        begin = len(self.parameters)
+        self.parameters.extend(places)
+        return begin
+
+
+def launched(
+    tape: Tape, lanes: Sequence[tuple[int, int]], times: Times, layout: Layout, done: Sequence[Launch]
+) -> Launch:
+    """The launch of some lanes, after those that are *done*."""
+    call = tape.calls[lanes[0][0]]
+    stride = -(-len(lanes) // LANE_BLOCK) * LANE_BLOCK
+    filling = [*lanes, *[lanes[-1]] * (stride - len(lanes))]
+    coefficients = len(layout.parameters)
+    for row in range(len(call.coefficients)):
+        layout.added([tape.calls[index].coefficients[row][lane] for index, lane in filling])
+    arguments: list[tuple[str, int]] = []
+    filled: list[int] = []
+    for row in range(len(call.arguments)):
+        places = [tape.calls[index].arguments[row][lane] for index, lane in filling]
+        there = result_row(tape, places[: len(lanes)], stride, done)
+        if there is not None:
+            arguments.append(("scratch", there))
+        elif not any(place in times.stage for place in places):
+            arguments.append(("parameters", layout.added(places)))
+        else:
+            arguments.append(("scratch", layout.room(stride)))
+            filled.append(row)
+    results = layout.room(stride * call.rows)
+    return Launch(call, tuple(lanes), stride, tuple(arguments), tuple(filled), results, coefficients)
 
 
 def result_row(tape: Tape, places: Sequence[int], stride: int, done: Sequence[Launch]) -> int | None:
@@ -229,7 +276,7 @@ def result_row(tape: Tape, places: Sequence[int], stride: int, done: Sequence[La
     return None
 
 
-def launched(tape: Tape, calls: Sequence[int]) -> list[list[tuple[int, int]]]:
+def together(tape: Tape, calls: Sequence[int]) -> list[list[tuple[int, int]]]:
     """The lanes of calls, those of the same function together."""
     found: dict[Any, list[tuple[int, int]]] = {}
     for index in calls:

@@ -73,7 +73,7 @@ VALUES: dict[Op, Callable[..., Any]] = {
 
 @dataclass(frozen=True)
 class Call:
-    """``function(coefficients, *arguments)`` over lanes: coefficients by their names and arguments as rows of places."""
+    """``function(coefficients, *arguments)`` over lanes: coefficients by name and arguments as rows of places."""
 
     function: Any
     names: tuple[str, ...]

@@ -5,8 +5,8 @@ from eom.simulation.channels import Channels, Event
 from eom.simulation.inputs import Constant, Sine, Steps, Table
 from eom.simulation.run import Run
 from eom.simulation.run_file import load_run
-from eom.simulation.sensors import Sensor
 from eom.simulation.running import RunInterrupted, simulate
+from eom.simulation.sensors import Sensor
 
 __all__ = [
     "Block",

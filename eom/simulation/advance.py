@@ -50,8 +50,10 @@ SMALLEST = 1e-9
 """A step [s] that is smaller follows no motion of a vehicle."""
 GUARD = 1e4
 """A fixed step may make this many times the error that the other methods are allowed."""
+EXACTING = 10.0
+"""By what the error of an implicit step counts more: over a run it adds up to more than that of an explicit one."""
 SAFETY, SHRINK, GROW, SAME = 0.9, 0.2, 5.0, 1.2
-KEPT = 6
+KEPT = 20
 """Steps for which a Jacobian is kept: the method's order does not depend on it, its error does."""
 
 
@@ -84,7 +86,8 @@ def advance(
     After the step that reaches *pause* [s] it stops, to be called again; the steps are the same with any pause. A
     sample at its end is taken if that is *closed*; else it is left for the next time, when inputs may have changed.
 
-    *times* are instants of samples, whose *columns* are kept in *rows*, *stops* those at which an input or its slope jumps, where steps end.
+    *times* are instants of samples, whose *columns* are kept in *rows*. Steps end at *stops* [s], where an input or
+    its slope jumps.
     """
     stop = np.searchsorted(stops, clock[TIME], side="right")
     status = start(program, clock, counts, margins, events, terminal, at, v, work, pieces, signals)
@@ -121,7 +124,7 @@ def advance(
             drift(program, t, h, at, v, work, pieces, signals)
             last = rosenbrock(program, t, h, jacobian, factors, pivots, at, v, work, pieces, signals)
             clock[AGE] += 1.0
-        wrong = size_of(ERROR, v) / settings[TOLERANCE]
+        wrong = size_of(ERROR, v) / settings[TOLERANCE] * (EXACTING if method == ROSENBROCK else 1.0)
         if not wrong <= (GUARD if method == RUNGE_KUTTA else 1.0):
             if method == RUNGE_KUTTA:
                 return INACCURATE if np.isfinite(wrong) else DIVERGED
@@ -230,4 +233,4 @@ def following_step(h: float, wrong: float, method: int, planned: float) -> float
     factor = min(GROW, SAFETY * max(wrong, 1e-6) ** -power(method))
     if method == ROSENBROCK and 1.0 <= factor < SAME:
         factor = 1.0
-    return h * factor if h >= planned * (1.0 - 1e-9) else max(h * factor, planned)
+    return float(h * factor if h >= planned * (1.0 - 1e-9) else max(h * factor, planned))

@@ -14,7 +14,7 @@ def by_address() -> Any:
     extending, types, ir = (import_module(name) for name in ("numba.extending", "numba.types", "llvmlite.ir"))
 
     def code(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        program, at, v, row, work, level = args
+        program, _, _, row, _, level = args
 
         def data(k: int) -> Any:
             """Pointer to the elements of an array."""
@@ -32,7 +32,7 @@ def by_address() -> Any:
         builder.call(builder.inttoptr(program, form.as_pointer()), [*pointers, level])
         return context.get_dummy_value()
 
-    def call(_typing: Any, program: Any, at: Any, v: Any, row: Any, work: Any, level: Any) -> Any:
+    def call(_typing: Any, program: Any, at: Any, v: Any, _row: Any, work: Any, _level: Any) -> Any:
         return types.void(program, at, v, types.int64, work, types.int64), code
 
     return extending.intrinsic(call)

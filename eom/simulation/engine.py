@@ -63,7 +63,8 @@ class Engine:
     @property
     def state(self) -> Array:
         """The state."""
-        return self.v[of.X]
+        state: Array = self.v[of.X]
+        return state
 
     def observe(self) -> None:
         """Set inputs and outputs to those at the instant, after jumps of the signals."""

@@ -1,5 +1,6 @@
 """Many runs in numbers: the memory of all cases, and how they go on, compiled in threads, or in NumPy all at once."""
 
+import functools
 import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -74,7 +75,7 @@ class Fleet:
         while True:
             self.counts[:, of.EVENTS] = 0
             room = np.zeros((len(self.clock), room_of(self.margins.shape[2]), of.EVENT_STATE + self.v.shape[2]))
-            self.some(lambda cases: self.advance(cases, until, pause, closed, room))
+            self.some(functools.partial(self.advance, until=until, pause=pause, closed=closed, room=room))
             for c in np.flatnonzero(self.counts[:, of.EVENTS]):
                 self.events[c].append(room[c, : self.counts[c, of.EVENTS]].copy())
             full = self.status == of.FULL

@@ -58,31 +58,48 @@ class Piece(NamedTuple):
         return bool(np.isfinite(self.error))
 
 
+class Watched:
+    """A function of time that is not a number where it has none; ``raised`` is the last exception that it raised."""
+
+    def __init__(self, function: Callable[[float], float]) -> None:
+        self.function = function
+        self.raised: Exception | None = None
+
+    def __call__(self, t: float) -> float:
+        """Its value."""
+        try:
+            return float(self.function(t))
+        except Exception as error:  # noqa: BLE001  whatever it is, a sentence tells it
+            self.raised = error
+            return float("nan")
+
+    def tried(self, begin: float, end: float) -> Piece:
+        """A piece of it."""
+        length = end - begin
+        values = np.array([self(begin + length * node) for node in NODES])
+        between = np.array([self(begin + length * node) for node in BETWEEN])
+        return Piece(begin, length, values, float(np.max(np.abs(CHECK @ values - between))))
+
+    def halves(self, item: Piece) -> tuple[Piece, Piece]:
+        """Both halves of a piece."""
+        middle = item.begin + 0.5 * item.length
+        return self.tried(item.begin, middle), self.tried(middle, item.begin + item.length)
+
+    def why(self, name: str, t: float) -> str:
+        """Why the input is none from an instant on."""
+        if self.raised is None:
+            return f"input {name} is not finite from {t:.9g} s on"
+        return f"input {name} at {t:.9g} s: its function raised {type(self.raised).__name__}: {self.raised}"
+
+
 def pieces_of(function: Callable[[float], float], name: str, duration: float) -> Broken:
     """The pieces of a function from 0 to a duration; they end where it gives no finite number, or raises an exception.
 
     Raises `SimulationError` for a function that jumps too often.
     """
-    raised: Exception | None = None
-
-    def at(t: float) -> float:
-        """The function at an instant, not a number where it has none."""
-        nonlocal raised
-        try:
-            return float(function(t))
-        except Exception as error:  # noqa: BLE001  whatever it is, the sentence tells it
-            raised = error
-            return float("nan")
-
-    def tried(begin: float, end: float) -> Piece:
-        """A piece."""
-        length = end - begin
-        values = np.array([at(begin + length * node) for node in NODES])
-        between = np.array([at(begin + length * node) for node in BETWEEN])
-        return Piece(begin, length, values, float(np.max(np.abs(CHECK @ values - between))))
-
+    watched = Watched(function)
     edges = np.append(np.arange(0.0, duration, LONGEST), duration)
-    waiting = [tried(begin, end) for begin, end in itertools.pairwise(edges)][::-1]
+    waiting = [watched.tried(begin, end) for begin, end in itertools.pairwise(edges)][::-1]
     largest = max((float(np.max(np.abs(item.values))) for item in waiting if item.finite), default=0.0)
     rows, stops, most = list[Array](), list[float](), MOST * len(waiting)
     while waiting:
@@ -90,22 +107,17 @@ def pieces_of(function: Callable[[float], float], name: str, duration: float) ->
         if item.error <= ACCURATE * largest:
             rows.append(row(item))
         elif item.length > SHORTEST:
-            middle = item.begin + 0.5 * item.length
-            halves = tried(item.begin, middle), tried(middle, item.begin + item.length)
-            if item.error <= NOISE * largest and min(half.error for half in halves) > 0.5 * item.error:
-                # what does not fall on either side is rounding of the function itself
-                rows.append(row(item))
-            else:
-                waiting += halves[::-1]
+            halves = watched.halves(item)
+            # what does not fall on either side is rounding of the function itself
+            noise = item.error <= NOISE * largest and min(half.error for half in halves) > 0.5 * item.error
+            rows += [row(item)] if noise else []
+            waiting += [] if noise else halves[::-1]
         elif item.finite:
             # the jump is at the end of what cannot be divided
             rows.append(row(item._replace(values=np.full(DEGREE + 1, item.values[0]))))
             stops.append(item.begin + item.length)
         else:
-            why = f"input {name} is not finite from {item.begin:.9g} s on"
-            if raised is not None:
-                why = f"input {name} at {item.begin:.9g} s: its function raised {type(raised).__name__}: {raised}"
-            return joined(rows, stops, largest, item.begin, why, raised)
+            return joined(rows, stops, largest, item.begin, watched.why(name, item.begin), watched.raised)
         if len(rows) + len(waiting) > most:
             told = f"input {name}: its function jumps too often about {item.begin:.6g} s: give it as Steps or as Table"
             raise SimulationError(told)

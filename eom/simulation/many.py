@@ -33,7 +33,10 @@ def advance_many(
     pivots: Any,
     status: Any,
 ) -> None:
-    """Go on with those of some *cases* that have not ended, see `eom.simulation.advance.advance`, to instants [s] or a pause."""
+    """Go on with those of some *cases* that have not ended, to instants [s] or a pause.
+
+    Everything else is as of `eom.simulation.advance.advance`.
+    """
     for k in range(len(cases)):
         c = cases[k]
         if status[c] == DONE and clock[c, TIME] < until[c]:

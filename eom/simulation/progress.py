@@ -3,7 +3,7 @@
 import sys
 import time
 from types import TracebackType
-from typing import Any
+from typing import Any, Self
 
 PATIENCE = 2.0
 """Time [s] on the wall before anything is shown."""
@@ -23,7 +23,7 @@ class Progress:
         self.slice: float | None = None
         self.last = (0.0, self.begun)
 
-    def __enter__(self) -> "Progress":
+    def __enter__(self) -> Self:
         # without a length it is shown at once: nothing will call while it waits
         if self.whole is None and sys.stderr.isatty():
             self.show()

@@ -8,9 +8,11 @@ from typing import NamedTuple
 import numpy as np
 
 from eom.assembly.vectors import Array
+from eom.model.tyre import TyreModel
 from eom.program.compiled import installed
 from eom.simulation import memory as of
 from eom.simulation.channels import Channels, Event
+from eom.simulation.descriptions import described
 from eom.simulation.engine import Engine
 from eom.simulation.equations import Model
 from eom.simulation.request import Request
@@ -40,9 +42,8 @@ def run_of(told: Told, ended: str) -> Run:
     count = int(own.counts[of.SAMPLES])
     rows, n, m = own.rows[:count], len(model.states), len(model.inputs)
     wiring = told.asked.wiring
-    vehicle = getattr(model, "vehicle", None)
     return Run(
-        name=model.name if vehicle is None else vehicle.name,
+        name=model.vehicle.name if isinstance(model, TyreModel) else model.name,
         time=own.times[:count],
         inputs=channels(model.inputs, model.input_units, rows[:, n : n + m]),
         states=channels(model.states, model.state_units, rows[:, :n]),
@@ -56,8 +57,8 @@ def run_of(told: Told, ended: str) -> Run:
 
 
 def channels(names: Sequence[str], units: Sequence[str], values: Array) -> Channels:
-    """A group of signals, described by owner and quantity."""
-    return Channels(tuple(names), tuple(units), tuple(names), values)
+    """A group of signals, described in words."""
+    return Channels(tuple(names), tuple(units), tuple(map(described, names)), values)
 
 
 def ports_at(times: Array, told: Told) -> Array:
@@ -72,8 +73,7 @@ def events(parts: Sequence[Array], limits: tuple[Limit, ...]) -> tuple[Event, ..
     """The limits that were reached, in the order of time, each with when it was left again."""
     found: list[Event] = []
     left: dict[int, float] = {}
-    rows = np.concatenate(parts)[::-1] if parts else []
-    for row in rows:
+    for row in np.concatenate([np.empty((0, of.EVENT_STATE)) if not parts else parts[0], *parts[1:]])[::-1]:
         number, time = int(row[of.EVENT_LIMIT]), float(row[of.EVENT_TIME])
         if row[of.EVENT_REACHED]:
             limit = limits[number]
@@ -81,7 +81,7 @@ def events(parts: Sequence[Array], limits: tuple[Limit, ...]) -> tuple[Event, ..
             found.append(Event(limit.kind, limit.owner, time, until, limit.sentence, row[of.EVENT_STATE :].copy()))
         else:
             left[number] = time
-    return tuple(sorted(found, key=lambda event: event.time))
+    return tuple(sorted(found[::-1], key=lambda event: event.time))
 
 
 def method(own: Engine) -> str:
@@ -119,7 +119,7 @@ def sentence(status: int, clock: Array, settings: Array, parts: Sequence[Array],
 
 def identity(told: Told) -> dict[str, str]:
     """What the run was made of: vehicle, parameters, software, how it was integrated."""
-    vehicle = getattr(told.model, "vehicle", None)
+    vehicle = told.model.vehicle if isinstance(told.model, TyreModel) else None
     own = told.engine
     found = {} if vehicle is None else {"file": str(vehicle.file), "sha256": vehicle.digest}
     if vehicle is not None:

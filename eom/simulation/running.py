@@ -7,6 +7,7 @@ import numpy as np
 
 from eom.assembly.vectors import Array
 from eom.errors import SimulationError
+from eom.model.tyre import TyreModel
 from eom.simulation import memory as of
 from eom.simulation.blocks import Block
 from eom.simulation.engine import Engine, engine
@@ -187,4 +188,4 @@ class Running(NamedTuple):
 
 def name_of(model: Model) -> str:
     """The name of the vehicle."""
-    return model.vehicle.name if hasattr(model, "vehicle") else model.name
+    return model.vehicle.name if isinstance(model, TyreModel) else model.name

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from eom.assembly.vectors import Array
 from eom.errors import SimulationError
@@ -35,7 +36,7 @@ class Driven(NamedTuple):
 
     base: Array
     pieces: Array
-    signals: Array
+    signals: NDArray[np.int64]
     stops: Array
     until: float
     why: str

@@ -130,7 +130,7 @@ def rosenbrock(
     pieces: Any,
     signals: Any,
 ) -> int:
-    """Order three with an error of order two; *factors* are those of 1/(h gamma) - J. Returns the row of rates at t + h.
+    """Order three with an error of order two; *factors* are of 1/(h gamma) - J. Returns the row of rates at t + h.
 
     Each stage solves
     (1/(h gamma) - J) gamma v_i = f(t + alpha_i h, x + sum alpha_ij v_j) + J sum gamma_ij v_j + h gamma_i df/dt.

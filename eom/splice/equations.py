@@ -8,7 +8,7 @@ from eom.splice.rates import evaluate, rates_of
 
 
 def spliced(x: Any, u: Any, numbers: Any) -> tuple[Any, Any, Any]:
-    """Rates, margins of limits and outputs of a state under inputs; *numbers* are a model's and those of its signals."""
+    """Rates, margins of limits and outputs at a state; *numbers* are those of a model and of its signals."""
     model, signals = numbers
     found = evaluate(x, u, model)
     return rates_of(found, u, model), all_margins(found, model, signals), all_outputs(found, u, model, signals)

@@ -129,7 +129,8 @@ def test_what_is_no_finite_number_is_refused_before_it_is_compiled_away() -> Non
             compiled.forces(0.02, 0.0, bad, 0.0, 20.0)
     found = compiled.ready.results(np.array([0.02, 0.0, np.nan, 0.0, 20.0]), np.empty(0), 0)
     # this formula has no Mx at all
-    assert np.all(np.isnan(found[[0, 1, 3, 4]])) and found[2] == 0.0
+    assert np.all(np.isnan(found[[0, 1, 3, 4]]))
+    assert found[2] == 0.0
 
 
 def test_tyres_of_both_sides_and_any_range_make_a_stack() -> None:
