@@ -161,12 +161,11 @@ def first_use() -> None:
     """The first run in a new environment, and in a new process."""
     with tempfile.TemporaryDirectory() as folder:
         command = [sys.executable, "-c", FIRST.format(file=str(FILE))]
-        times = [
-            float(
-                subprocess.run(command, env=dict(os.environ, EOM_CACHE=folder), capture_output=True, check=True).stdout
-            )
-            for _ in range(2)
-        ]
+        environment = dict(os.environ, EOM_CACHE=folder)
+        times = []
+        for _ in range(2):
+            found = subprocess.run(command, env=environment, capture_output=True, check=True)  # noqa: S603
+            times.append(float(found.stdout))
     print(f"first run in a new environment {times[0]:.1f} s, in a new process {times[1]:.2f} s")
 
 

@@ -81,7 +81,8 @@ def events(parts: Sequence[Array], limits: tuple[Limit, ...]) -> tuple[Event, ..
             found.append(Event(limit.kind, limit.owner, time, until, limit.sentence, row[of.EVENT_STATE :].copy()))
         else:
             left[number] = time
-    return tuple(sorted(found[::-1], key=lambda event: event.time))
+    found.reverse()
+    return tuple(sorted(found, key=lambda event: event.time))
 
 
 def method(own: Engine) -> str:

@@ -28,6 +28,8 @@ class Panel(NamedTuple):
     title: str
     measure: str
     curves: tuple[Curve, ...]
+NOTHING = 1e-9
+"""Size in SI units below which a curve is rounding of none."""
 
 
 def asked_panels(signals: Channels, names: Iterable[str]) -> list[Panel]:
@@ -87,7 +89,7 @@ def panel_of(
         owner, own = owner_and_quantity(name)
         if (own, outputs.units[k]) == (quantity, measure) and (owner in units or not whole):
             curves.append(Curve(owner or name, outputs.values[:, [k]], unit_of(owner, units)))
-    moves = any(np.any(curve.values != 0.0) for curve in curves)
+    moves = any(np.any(np.abs(curve.values) > NOTHING) for curve in curves)
     return Panel(title, measure, tuple(curves)) if moves else None
 
 
