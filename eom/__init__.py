@@ -49,6 +49,7 @@ if TYPE_CHECKING:
     from eom.model.tyre import build as build
     from eom.simulation import Run as Run
     from eom.simulation import simulate as simulate
+    from eom.simulation import simulate_many as simulate_many
     from eom.vehicle.load import Vehicle as Vehicle
     from eom.vehicle.load import load as load
     from eom.vehicle.load import loads as loads
@@ -65,6 +66,7 @@ PUBLIC = {
     "Reformulation": "eom.model.reformulation",
     "LinearModel": "eom.model",
     "simulate": "eom.simulation",
+    "simulate_many": "eom.simulation",
     "Run": "eom.simulation",
     "write_module": "eom.codegen",
     "kinematic_sweep": "eom.analysis",

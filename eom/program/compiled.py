@@ -92,11 +92,13 @@ def machine_code(function: Any, made: dict[Any, Any], path: Path | None = None) 
     """A function compiled, with all functions of this package that it calls.
 
     *made* holds what is compiled already; numba looks beside the *path* for what it kept. A function with an attribute
-    ``written`` is replaced by what that gives.
+    ``written`` is replaced by what that gives, and one that is ``kept`` by what is in the cache.
     """
     written = getattr(function, "written", None)
     if written is not None:
         return written()
+    if path is None and getattr(function, "kept", False):
+        return compiled_function(function)
     if function not in made:
         names = {}
         for name in loaded(function, "LOAD_GLOBAL"):

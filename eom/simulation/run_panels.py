@@ -28,6 +28,8 @@ class Panel(NamedTuple):
     title: str
     measure: str
     curves: tuple[Curve, ...]
+
+
 NOTHING = 1e-9
 """Size in SI units below which a curve is rounding of none."""
 

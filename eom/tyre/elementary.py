@@ -1,6 +1,6 @@
 """Elementary functions of the tyre formulas, for real numbers, and complex ones that carry a derivative.
 
-`eom.tyre.fast_elementary` has the same names in a form that a compiler turns into vector instructions.
+In compiled programs they are those of `eom.program.elementary`.
 """
 
 from typing import Any
