@@ -14,6 +14,8 @@ demo: .venv/installed
 	$(BIN)/eom build $(VEHICLE) --set U=110km/h --out build
 	@echo
 	$(BIN)/python tools/module_lane_change.py build/b_train.py build/b_train.png
+	@echo
+	$(BIN)/eom simulate $(VEHICLE) --run vehicles/runs/lane_change.yaml --out build
 
 # on all cores, a file's tests on one of them: they share what they build
 test: lint docs

@@ -385,7 +385,7 @@ def shaped(x: Any, _u: Any, p: Any) -> tuple[Any]:
 def test_zeros_and_ones_are_no_operations() -> None:
     def trivial(x: Any, _u: Any, p: Any) -> tuple[Any]:
         zero, one, full = p
-        return (np.concatenate((zero * x + x * one - zero, (x - x) + x / one, -(-x), full @ x, x * -one + x)),)
+        return (np.concatenate((zero * x + x * one - zero, (x - x) + x / one, -(0.0 - x), full @ x, x * -one + x)),)
 
     plan = plan_of(trivial, (0.0, 1.0, np.eye(N)), inputs=0)
     states = [plan.tape.places[int(Op.STATE), k] for k in range(N)]
@@ -488,7 +488,7 @@ def test_a_node_belongs_to_its_tape_once() -> None:
     assert (a + b).place == (b + a).place
     assert (a * b).place == (b * a).place
     assert (a - b).place != (b - a).place
-    assert (-(-a)).place == a.place
+    assert (0.0 - (-a)).place == a.place
     assert isinstance(2.0 * a, Node)
     assert tape.constant(-0.0).place == tape.constant(0.0).place
 
