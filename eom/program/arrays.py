@@ -6,7 +6,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from eom.program.tape import BRANCH, Call, Node, Op, Tape, binary, both, chosen
+from eom.program.tape import BRANCH, VALUES, Call, Node, Op, Tape, binary, both, chosen
 
 MANY = 4
 """So many elementary functions of the same kind at once are a call over lanes."""
@@ -20,7 +20,7 @@ def elementwise(function: Callable[..., Any], arity: int) -> Callable[..., Any]:
 
 def one(op: Op) -> Callable[..., Any]:
     """An operation on one node."""
-    return elementwise(lambda a: a.apply(op), 1)
+    return elementwise(lambda a: a.apply(op) if isinstance(a, Node) else float(VALUES[op](a)), 1)
 
 
 def two(op: Op) -> Callable[..., Any]:
@@ -32,8 +32,10 @@ def equal(a: Any, b: Any) -> Node:
     """1 where two constants are equal, else 0; a parameter is never like a constant, or it would be one."""
     a, b = both(a, b)
     tape: Tape = a.tape
-    if not {a.op[0], b.op[0]} <= {Op.CONST, Op.PARAMETER}:
-        raise TypeError(BRANCH)
+    for one_ in (a, b):
+        kind, index = one_.op[:2]
+        if kind not in {Op.CONST, Op.PARAMETER} or (kind == Op.PARAMETER and index in tape.vanishing):
+            raise TypeError(BRANCH)
     return tape.constant(float(a.place == b.place))
 
 
@@ -92,7 +94,8 @@ class NodeArray(np.ndarray[Any, np.dtype[np.object_]]):
                 return np.dtype(object)
             case "solve":
                 return as_nodes(solved(*(np.asarray(item, dtype=object) for item in args)))
-        return super().__array_function__(func, types, args, kwargs)
+        result = super().__array_function__(func, types, args, kwargs)
+        return as_nodes(result) if isinstance(result, np.ndarray) and result.dtype == object else result
 
     def over_lanes(self, function: Any, coefficients: Any, rows: int, arguments: list[Any]) -> Any:
         """``function(coefficients, *arguments)`` of arrays over lanes as one call, (rows, lanes)."""
@@ -174,13 +177,19 @@ def tape_of(array: Any) -> Tape:
 def transcendental(ufunc: Any, op: Op, array: Any) -> Any:
     """A function that takes long: of many numbers at once it is a call over lanes."""
     array = np.asarray(array, dtype=object)
-    nodes = list(dict.fromkeys(item.place for item in array.flat if item.value is None))
+    nodes = list(dict.fromkeys(item.place for item in array.flat if isinstance(item, Node) and item.value is None))
     if len(nodes) < MANY:
         return one(op)(array)
     tape = tape_of(array)
     found = called(tape, Call(ufunc, (), (), (tuple(nodes),), 1))[0]
     lanes = dict(zip(nodes, found, strict=True))
-    return elementwise(lambda item: lanes[item.place] if item.value is None else item.apply(op), 1)(array)
+    known = one(op)
+
+    def value(item: Any) -> Any:
+        """The function of one number."""
+        return lanes[item.place] if isinstance(item, Node) and item.place in lanes else known(item)
+
+    return elementwise(value, 1)(array)
 
 
 def called(tape: Tape, call: Call) -> list[list[Node]]:

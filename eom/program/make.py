@@ -65,7 +65,8 @@ class Ready(NamedTuple):
         """Results of the first levels up to one, compiled where there is a compiler."""
         plan = self.program.plan
         if not installed():
-            return np.array(self.program.of_numbers(x.tolist(), u.tolist(), self.parameters, level))
+            with np.errstate(all="ignore"):
+                return np.array(self.program.of_numbers(x.tolist(), u.tolist(), self.parameters, level))
         out, scratch = np.empty(sum(map(len, plan.roots))), np.ones(plan.scratch)
         arrays = (
             np.ascontiguousarray(x, dtype=float),
@@ -91,7 +92,7 @@ MADE: dict[str, Program] = {}
 
 def program(function: Callable[..., Any], numbers: Numbers, states: int, inputs: int) -> Program:
     """The program of ``function(x, u, numbers)``, from the cache if there is one."""
-    code = hashlib.sha256(function.__code__.co_code).hexdigest()
+    code = hashlib.sha256(f"{function.__code__.co_code.hex()}{function.__code__.co_consts}".encode()).hexdigest()
     signature = f"{function.__module__}.{function.__qualname__} {code} {states} {inputs} {numbers.signature}"
 
     def make() -> Plan:

@@ -98,7 +98,9 @@ def gathered(cases: Sequence[Any]) -> Numbers:
         [np.concatenate([np.empty(0), *(np.ravel(leaf) for leaf in own if is_number(leaf))]) for own in every]
     )
     fixed = np.isin(values[0], STRUCTURAL) & np.all(values == values[0], axis=0)
-    text = f"{digests.pop()}{fixed.tobytes().hex()}{values[0][fixed].tolist()}"
+    # what stands alone may be asked for its sign
+    signs = [float(np.sign(leaf)) for leaf in every[0] if isinstance(leaf, float)]
+    text = f"{digests.pop()}{fixed.tobytes().hex()}{values[0][fixed].tolist()}{signs}"
     signature = hashlib.sha256(text.encode()).hexdigest()
     return Numbers(cases[0], fixed, np.ascontiguousarray(values[:, ~fixed].T), signature)
 
@@ -120,6 +122,7 @@ def lifted(numbers: Numbers, tape: Tape) -> Any:
     """The first case with its numbers as nodes."""
     fixed = iter(numbers.fixed)
     tape.samples.extend(numbers.values[:, 0])
+    tape.vanishing.update(np.flatnonzero(np.any(numbers.values == 0.0, axis=1)).tolist())
     count = iter(range(len(tape.samples)))
 
     def node(value: float) -> Any:
@@ -143,7 +146,9 @@ def lifted(numbers: Numbers, tape: Tape) -> Any:
             own = {name: array(getattr(item, name)) for name in names}
             return Coefficients(names=names, formula=item.formula, **own)
         if isinstance(item, float):
-            return node(item)
+            alone = node(item)
+            tape.alone.add(alone.place)
+            return alone
         return array(item) if is_number(item) else item
 
     return walk(numbers.like)

@@ -12,13 +12,22 @@ from eom.program.numbers import Coefficients
 from eom.program.plan import Launch, Plan, needs
 from eom.program.tape import LEAVES, VALUES, Op
 
-SIGNS = {Op.ADD: "({} + {})", Op.SUB: "({} - {})", Op.MUL: "({} * {})", Op.DIV: "({} / {})", Op.NEG: "(-{})"}
+SIGNS = {Op.ADD: "({} + {})", Op.SUB: "({} - {})", Op.MUL: "({} * {})", Op.NEG: "(-{})"}
 DEEP = 6
 """Nesting of expressions; names are given to what is used more than once or nested deeper."""
 
-NUMBERS: dict[str, Callable[..., Any]] = {
+
+def divided(a: float, b: float) -> float:
+    """A quotient, as NumPy has it also by zero: a branch that is not taken may hold one."""
+    if b != 0.0:
+        return a / b
+    return math.nan if a == 0.0 or a != a else math.copysign(math.inf, a) * math.copysign(1.0, b)  # noqa: PLR0124
+
+
+NUMBERS: dict[str, Any] = {
     "ABS": abs,
-    "SQRT": math.sqrt,
+    "DIV": divided,
+    "SQRT": lambda x: math.sqrt(x) if x >= 0.0 else math.nan,
     "FLOOR": math.floor,
     "SIN": math.sin,
     "COS": math.cos,
@@ -30,6 +39,7 @@ NUMBERS: dict[str, Callable[..., Any]] = {
     "MIN": min,
     "COPYSIGN": math.copysign,
     "LESS": lambda a, b: float(a < b),
+    "INFINITE": math.inf,
     "CHOOSE": lambda test, then, other: then if test != 0.0 else other,
 }
 """Operations on numbers; `VALUES` are those on arrays."""
@@ -46,8 +56,8 @@ def of_numbers(plan: Plan, code: CodeType) -> Plain:
 
 def of_arrays(plan: Plan, code: CodeType) -> Plain:
     """The program of many cases; the last axis of states, inputs and parameters is theirs."""
-    names = {op.name: function for op, function in VALUES.items()}
-    return bound(plan, code, {**names, "stacked": stacked, "told": lambda rows: rows})
+    names: dict[str, Any] = {op.name: function for op, function in VALUES.items()}
+    return bound(plan, code, {**names, "INFINITE": math.inf, "stacked": stacked, "told": lambda rows: rows})
 
 
 def lists(rows: list[Any]) -> list[list[float]]:
@@ -143,7 +153,7 @@ class Expressions:
         tape = self.plan.tape
         op, *args = tape.ops[place]
         if op == Op.CONST:
-            return f"({tape.constants[args[0]]!r})"
+            return f"({tape.constants[args[0]]!r})".replace("inf", "INFINITE")
         if place in self.parameter:
             return f"p[{self.parameter[place]}]"
         if op in {Op.STATE, Op.INPUT}:

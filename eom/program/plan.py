@@ -64,8 +64,11 @@ class Plan(NamedTuple):
     call_levels: dict[int, int]
 
     def parameter_values(self, numbers: Numbers) -> Array:
-        """Values of the parameters, (parameters, cases)."""
+        """Values of the parameters, (parameters, cases); ``ValueError`` if cases take other branches."""
         tape, cases = self.tape, numbers.values.shape[1]
+        for k in tape.asked:
+            if np.any(np.sign(numbers.values[k]) != np.sign(tape.samples[k])):
+                raise ValueError("cases differ in structure: a lag or a speed vanishes in some of them")
         values: dict[int, Any] = {}
         for place in sorted(self.beforehand()):
             op, *args = tape.ops[place]
@@ -116,8 +119,8 @@ def needs(tape: Tape, place: int) -> tuple[int, ...]:
     op, *args = tape.ops[place]
     if op == Op.LANE:
         call = tape.calls[args[0]]
-        rows = (*call.coefficients, *call.arguments)
-        return tuple(row[args[2]] for row in rows)
+        # all lanes run, also those of which nothing is wanted
+        return tuple(place for row in (*call.coefficients, *call.arguments) for place in row)
     return () if op in LEAVES else tuple(args)
 
 
@@ -197,7 +200,7 @@ def needed(
     """Places that are to be computed beforehand, and those that a later stage than their own needs."""
     uses = [(arg, at) for place, at in times.stage.items() for arg in operands(tape, place)]
     for index, at in times.calls.items():
-        uses += [(place, at - 1) for row in tape.calls[index].arguments for place in row if place in times.stage]
+        uses += [(place, at - 1) for row in tape.calls[index].arguments for place in row]
     uses += [(place, count - 1) for group in roots for place in group]
     early = {place: None for place, _ in uses if place not in times.stage and tape.ops[place][0] != Op.CONST}
     late = {

@@ -89,12 +89,19 @@ class Call:
 
 @dataclass
 class Tape:
-    """Operations in the order of their first use; equal ones are one. ``samples`` are parameters of one case."""
+    """Operations in the order of their first use; equal ones are one.
+
+    ``samples`` are the parameters of one case, ``vanishing`` those that are zero in some cases; ``alone`` are places of
+    numbers that are no part of an array, ``asked`` the parameters among them whose sign decided a branch.
+    """
 
     ops: list[tuple[int, ...]] = field(default_factory=list)
     constants: list[float] = field(default_factory=list)
     calls: list[Call] = field(default_factory=list)
     samples: list[float] = field(default_factory=list)
+    vanishing: set[int] = field(default_factory=set)
+    alone: set[int] = field(default_factory=set)
+    asked: set[int] = field(default_factory=set)
     places: dict[tuple[int, ...], int] = field(default_factory=dict)
     known: dict[float | str, int] = field(default_factory=dict)
 
@@ -158,6 +165,18 @@ class Node:
         """The arctangent."""
         return self.apply(Op.ARCTAN)
 
+    def tan(self) -> "Node":
+        """The tangent."""
+        return self.apply(Op.TAN)
+
+    def exp(self) -> "Node":
+        """The exponential."""
+        return self.apply(Op.EXP)
+
+    def log(self) -> "Node":
+        """The natural logarithm."""
+        return self.apply(Op.LOG)
+
     def sqrt(self) -> "Node":
         """The square root."""
         return self.apply(Op.SQRT)
@@ -168,13 +187,19 @@ class Node:
         return bool(self.value)
 
     def __gt__(self, other: object) -> bool:
-        # parameters keep their sign from case to case, or the structure is another one
         op, value = self.op, self.value
-        if op[0] == Op.PARAMETER:
+        if op[0] == Op.PARAMETER and self.place in self.tape.alone and other == 0.0:
+            self.tape.asked.add(op[1])
             value = self.tape.samples[op[1]]
         if value is None:
             raise TypeError(BRANCH)
         return value > float(other)  # type: ignore[arg-type]
+
+    def __eq__(self, other: object) -> bool:
+        raise TypeError(BRANCH)
+
+    def __hash__(self) -> int:
+        return hash(self.place)
 
     def __abs__(self) -> "Node":
         return self.apply(Op.ABS)

@@ -100,7 +100,8 @@ def advance(
     method = int(clock[METHOD_NOW] if settings[METHOD] == AUTOMATIC else settings[METHOD])
     while clock[TIME] < min(until, pause):
         t = clock[TIME]
-        if t + min(clock[STEP], LOOK) > clock[LOOKED] + LOOK:
+        ahead = settings[LARGEST] if settings[METHOD] == RUNGE_KUTTA else clock[STEP]
+        if t + min(ahead, LOOK) > clock[LOOKED] + LOOK:
             clock[ROOT], clock[LOOKED] = fastest(program, t, clock, at, v, work, pieces, signals), t
         if settings[METHOD] == AUTOMATIC:
             method = chosen_method(method, clock[ROOT])

@@ -1,19 +1,21 @@
 """``eom.simulate_many``: many cases of one model at once; parameters, inputs, starts and speeds differ."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from eom.assembly.vectors import Array
-from eom.errors import SimulationError
+from eom.errors import EquilibriumError, SimulationError
 from eom.model.tyre import TyreModel, build_tyre_model
 from eom.program.make import Program, program
 from eom.program.numbers import gathered
+from eom.simulation import memory as of
 from eom.simulation.blocks import Block
 from eom.simulation.channels import STATE
 from eom.simulation.equations import Equations, Model, at_start, check_kind, equations_of
 from eom.simulation.fleet import Fleet, fleet
+from eom.simulation.functions import Broken
 from eom.simulation.inputs import Input
 from eom.simulation.progress import Progress
 from eom.simulation.report import events
@@ -80,9 +82,22 @@ def simulate_many(
         If the parameters of a case make no vehicle, or one without straight run.
     """
     check_kind(model)
-    asked = requests(model, cases, duration, blocks, wires or {}, (sample, method, step, tolerance))
-    one, names = asked[0], every_name(model)
-    columns = chosen(keep, names)
+    names = every_name(model)
+    mistakes = [
+        f"keep {name}: there is no such signal{did_you_mean(name, names)}" for name in keep or () if name not in names
+    ]
+    if threads is not None and threads < 1:
+        mistakes.append(f"threads = {threads}: expected one or more")
+    asked = requests(
+        model,
+        cases,
+        mistakes,
+        lambda own: checked(
+            model, own.inputs, duration, own.start, blocks, wires or {}, sample, method, step, tolerance
+        ),
+    )
+    one = asked[0]
+    columns = range(len(names)) if keep is None else [names.index(name) for name in keep]
     size = 8.0 * len(cases) * len(one.times) * len(columns)
     if size > LARGEST:
         raise SimulationError(
@@ -97,29 +112,42 @@ def simulate_many(
 
 
 def requests(
-    model: Model,
-    cases: Sequence[Case],
-    duration: float,
-    blocks: Sequence[Block],
-    wires: Mapping[str, str],
-    how: tuple[float, str, float | None, float],
+    model: Model, cases: Sequence[Case], mistakes: list[str], request: Callable[[Case], Request]
 ) -> list[Request]:
-    """What is asked in each case; raises `SimulationError` with all mistakes, those of a case with its number."""
-    found, mistakes = [], dict[str, None]()
+    """What is asked in each case; raises `SimulationError` with all mistakes, of some cases with their numbers."""
+    found: list[Request] = []
+    wrong: dict[str, list[int]] = {}
     if not cases:
-        mistakes["cases: expected one or more"] = None
+        mistakes.append("cases: expected one or more")
     for k, case in enumerate(cases):
+        lines = list(case_mistakes(model, case))
         try:
-            found.append(checked(model, case.inputs, duration, case.start, blocks, wires, *how))
+            found.append(request(case))
+            lines += [f"{item.why}: nothing can be simulated" for item in ended_at_once(found[-1])]
         except SimulationError as error:
-            mistakes.update({f"case {k}: {line}": None for line in str(error).splitlines()})
-        if case.parameters and not isinstance(model, TyreModel):
-            mistakes[f"case {k}: a linear model has no parameters: give models with tyres, or linearise each case"] = (
-                None
-            )
+            lines += str(error).splitlines()
+        for line in lines:
+            wrong.setdefault(line, []).append(k)
+    for line, where in wrong.items():
+        mistakes += [line] if len(where) == len(cases) > 1 else [f"case {k}: {line}" for k in where]
     if mistakes:
         raise SimulationError("\n".join(mistakes))
     return found
+
+
+def case_mistakes(model: Model, case: Case) -> Iterator[str]:
+    """What a case asks of a linear model that it does not have."""
+    if isinstance(model, TyreModel):
+        return
+    if case.parameters:
+        yield "a linear model has no parameters: give models with tyres, or linearise each case"
+    if case.speed is not None:
+        yield f"speed = {case.speed:g} m/s: a linear model has that of its trim, {model.speed:g} m/s"
+
+
+def ended_at_once(asked: Request) -> list[Broken]:
+    """Inputs that end where the run begins."""
+    return [item for item in asked.inputs.values() if isinstance(item, Broken) and item.until <= 0.0]
 
 
 def every_name(model: Model) -> list[str]:
@@ -127,35 +155,33 @@ def every_name(model: Model) -> list[str]:
     return [*(STATE + name for name in model.states), *model.inputs, *model.outputs]
 
 
-def chosen(keep: Sequence[str] | None, names: Sequence[str]) -> list[int]:
-    """Columns of the names to keep; raises `SimulationError` for unknown ones."""
-    if keep is None:
-        return list(range(len(names)))
-    wrong = [name for name in keep if name not in names]
-    if wrong:
-        message = "\n".join(f"keep {name}: there is no such signal{did_you_mean(name, names)}" for name in wrong)
-        raise SimulationError(message)
-    return [names.index(name) for name in keep]
-
-
 def prepared(
     model: Model, cases: Sequence[Case], asked: Sequence[Request], columns: Sequence[int], threads: int | None
 ) -> Fleet:
     """All cases before their first step."""
     models = models_of(model, cases)
+    for k, own in enumerate(models):
+        if own.states != model.states or own.inputs != model.inputs or own.outputs != model.outputs:
+            what = (
+                "its parameters change the structure, so that states, inputs or outputs are others: simulate it apart"
+            )
+            raise SimulationError(f"case {k}: {what}")
     equations = equations_of(model)
-    made, parameters = parameters_of(models, equations)
+    made, parameters = parameters_of(model, models, equations)
     starts, inputs = [], []
     for k, (own, case) in enumerate(zip(models, asked, strict=True)):
-        x, u = at_start(own, cases[k].speed)
+        try:
+            x, u = at_start(own, cases[k].speed)
+        except EquilibriumError as error:
+            raise EquilibriumError(f"case {k}: {error}") from None
         inputs.append(driven(case.inputs, model.inputs, u))
-        if inputs[-1].until <= 0.0:
-            raise SimulationError(f"case {k}: {inputs[-1].why}: nothing can be simulated") from inputs[-1].cause
         for name, value in case.start.items():
             x[model.states.index(name)] = value
         starts.append(x)
     ready = equations._replace(ready=equations.ready._replace(program=made))
-    return fleet(ready, parameters, starts, inputs, asked[0].times, np.array(columns), asked[0].settings, threads)
+    return fleet(
+        ready, parameters, starts, inputs, asked[0].times, np.array(columns, dtype=np.int64), asked[0].settings, threads
+    )
 
 
 def models_of(model: Model, cases: Sequence[Case]) -> list[Model]:
@@ -168,20 +194,22 @@ def models_of(model: Model, cases: Sequence[Case]) -> list[Model]:
     return [made[tuple(sorted(case.parameters.items()))] for case in cases]
 
 
-def parameters_of(models: Sequence[Model], equations: Equations) -> tuple[Program, Array]:
+def parameters_of(model: Model, models: Sequence[Model], equations: Equations) -> tuple[Program, Array]:
     """The program of all cases, and the parameters of each, (parameters, cases).
 
     Raises `SimulationError` if parameters change the structure of the equations, such as a body that loses its mass.
     """
-    first = models[0]
-    if all(own is first for own in models):
+    if all(own is model for own in models):
         return equations.ready.program, np.repeat(equations.ready.parameters[:, np.newaxis], len(models), axis=1)
     try:
         numbers = gathered([(own.numbers, own.signals) for own in models if isinstance(own, TyreModel)])
     except ValueError as error:
         raise SimulationError(f"{error}: simulate them apart") from None
-    made = program(spliced, numbers, len(first.states), len(first.inputs))
-    return made, made.plan.parameter_values(numbers)
+    made = program(spliced, numbers, len(model.states), len(model.inputs))
+    try:
+        return made, made.plan.parameter_values(numbers)
+    except ValueError as error:
+        raise SimulationError(f"{error}: simulate them apart") from None
 
 
 def gone_through(own: Fleet, asked: Request) -> list[tuple[float, Array]]:
@@ -216,10 +244,11 @@ def told(
     if wiring.signals:
         instants, ports = zip(*held, strict=True)
         at = np.array(ports)[np.searchsorted(instants, own.times, side="right") - 1]
-        lost = (
-            np.isnan(values[:, :, :1]) if values.shape[2] else np.zeros((len(own.clock), len(own.times), 1), dtype=bool)
-        )
-        values = np.concatenate((values, np.where(lost, np.nan, at.transpose(2, 0, 1))), axis=2)
+        for k, until in enumerate(own.until):
+            # where a case ends its blocks are not asked any more
+            at[own.times == until, :, k] = ports[max(int(np.searchsorted(instants, until)) - 1, 0)][:, k]
+        taken = np.arange(len(own.times)) < own.counts[:, of.SAMPLES, np.newaxis]
+        values = np.concatenate((values, np.where(taken[:, :, np.newaxis], at.transpose(2, 0, 1), np.nan)), axis=2)
     return Runs(
         name=model.vehicle.name if isinstance(model, TyreModel) else model.name,
         time=own.times,

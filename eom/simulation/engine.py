@@ -77,28 +77,29 @@ class Engine:
             room = np.zeros((room_of(self.margins.shape[1]), of.EVENT_STATE + len(self.state)))
             self.counts[of.EVENTS] = 0
             driven = self.driven
-            status = self.advance(
-                self.call,
-                until,
-                pause,
-                closed,
-                self.settings,
-                self.clock,
-                self.counts,
-                self.margins,
-                self.times,
-                self.columns,
-                self.rows,
-                room,
-                self.terminal,
-                self.at,
-                self.v,
-                self.work,
-                driven.pieces,
-                driven.signals,
-                driven.stops,
-                *self.implicit,
-            )
+            with np.errstate(all="ignore"):
+                status = self.advance(
+                    self.call,
+                    until,
+                    pause,
+                    closed,
+                    self.settings,
+                    self.clock,
+                    self.counts,
+                    self.margins,
+                    self.times,
+                    self.columns,
+                    self.rows,
+                    room,
+                    self.terminal,
+                    self.at,
+                    self.v,
+                    self.work,
+                    driven.pieces,
+                    driven.signals,
+                    driven.stops,
+                    *self.implicit,
+                )
             if self.counts[of.EVENTS]:
                 self.events.append(room[: self.counts[of.EVENTS]].copy())
             if status != of.FULL:
@@ -189,9 +190,10 @@ def python_call(program: Program, parameters: Array) -> Callable[..., None]:
         """Fill the results."""
         begin = int(at[of.RESULTS])
         try:
-            found = plain(
-                v[row].tolist(), work[int(at[of.U]) : int(at[of.U] + at[of.INPUTS])].tolist(), parameters, level
-            )
+            with np.errstate(all="ignore"):
+                found = plain(
+                    v[row].tolist(), work[int(at[of.U]) : int(at[of.U] + at[of.INPUTS])].tolist(), parameters, level
+                )
         except (ValueError, OverflowError, ZeroDivisionError):
             # what NumPy and compiled code answer with numbers that are none
             work[begin:] = np.nan

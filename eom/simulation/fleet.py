@@ -62,7 +62,7 @@ class Fleet:
     @property
     def time(self) -> float:
         """The instant that the slowest case has reached [s]."""
-        going = self.status == of.DONE
+        going = (self.status == of.DONE) & (self.clock[:, of.TIME] < self.until)
         return float(np.min(self.clock[going, of.TIME], initial=np.inf))
 
     def going(self, duration: float) -> bool:
@@ -72,10 +72,11 @@ class Fleet:
     def go_on(self, instant: float, pause: float, *, closed: bool) -> None:
         """Go on with all cases that have not ended, until an instant [s] or the end of a case's inputs, or a pause."""
         until = np.minimum(instant, self.until)
+        ends = closed | (self.until <= instant)
         while True:
             self.counts[:, of.EVENTS] = 0
             room = np.zeros((len(self.clock), room_of(self.margins.shape[2]), of.EVENT_STATE + self.v.shape[2]))
-            self.some(functools.partial(self.advance, until=until, pause=pause, closed=closed, room=room))
+            self.some(functools.partial(self.advance, until=until, pause=pause, closed=ends, room=room))
             for c in np.flatnonzero(self.counts[:, of.EVENTS]):
                 self.events[c].append(room[c, : self.counts[c, of.EVENTS]].copy())
             full = self.status == of.FULL
@@ -83,10 +84,11 @@ class Fleet:
                 return
             self.status[full] = of.DONE
 
-    def advance(self, cases: Any, until: Array, pause: float, closed: bool, room: Array) -> None:
+    def advance(self, cases: Any, until: Array, pause: float, closed: Any, room: Array) -> None:
         """Go on with some cases."""
         if not installed() and int(self.settings[of.METHOD]) == of.RUNGE_KUTTA:
-            Lanes(self, cases).go_on(until, pause, closed, room)
+            with np.errstate(all="ignore"):
+                Lanes(self, cases).go_on(until, pause, closed, room)
             return
         arguments = (
             until,
@@ -140,10 +142,7 @@ class Fleet:
     def some(self, task: Callable[[Any], None]) -> None:
         """Do a task with all cases, some at a time in threads; how many makes no difference to any case."""
         cases = np.arange(len(self.clock))
-        if not installed():
-            task(cases)
-            return
-        if self.threads == 1:
+        if not installed() or self.threads == 1:
             task(cases)
             return
         parts = np.array_split(cases, max(1, -(-len(cases) // AT_ONCE)))

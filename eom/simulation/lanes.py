@@ -90,13 +90,15 @@ class Lanes:
         ratio = change / (self.size + self.growing * np.abs(self.x))
         return np.asarray(np.sqrt(np.mean(ratio * ratio, axis=0)))
 
-    def go_on(self, until: Array, pause: float, closed: bool, room: Array) -> None:
+    def go_on(self, until: Array, pause: float, closed: Any, room: Array) -> None:
         """Go on to instants [s], one for every case of the fleet, or past a pause."""
-        until, pausing = until[self.cases], np.minimum(until[self.cases], pause)
+        until, pausing, closed = until[self.cases], np.minimum(until[self.cases], pause), closed[self.cases]
         self.find_stops()
         active = (self.status == of.DONE) & (self.time < pausing)
+        if not np.any(active):
+            return
         f, margins = self.start(self.margins, active, room)
-        begun = active | (self.status == of.TERMINAL) & (self.time < pausing)
+        begun = active | ((self.status == of.TERMINAL) & (self.time < pausing))
         self.sample(Step(self.time, 0.0 * self.time, self.x, self.x, f, f), self.time, begun, begun)
         active &= self.status == of.DONE
         while np.any(active):
@@ -168,7 +170,7 @@ class Lanes:
 
     def look(self, f: Array, active: Any) -> None:
         """Look for the fastest roots again where it is time, as `eom.simulation.stiffness.fastest`."""
-        step = np.minimum(self.fleet.clock[self.cases, of.STEP], LOOK)
+        step = min(self.fleet.settings[of.LARGEST], LOOK)
         due = active & (self.time + step > self.looked + LOOK)
         if not np.any(due):
             return
@@ -259,7 +261,8 @@ class Lanes:
             if not due.size:
                 return
             t, own = instants[due], step.of(due)
-            x = own.at((t - own.t) / np.where(own.h > 0.0, own.h, 1.0))
+            with np.errstate(all="ignore"):
+                x = np.where(own.h > 0.0, own.at((t - own.t) / np.where(own.h > 0.0, own.h, 1.0)), own.x)
             u = self.fill(t, np.zeros(len(due), dtype=bool), due)
             found = self.results(t, np.zeros(len(due), dtype=bool), x, 2, due)
             every = np.concatenate((x, u, found[self.n + self.limits :]))

@@ -365,13 +365,14 @@ def test_programs_that_a_sign_decides_are_told_apart_by_it(values: tuple[float, 
         got = in_python(made.plan, x, np.zeros(0), made.plan.parameter_values(numbers)[:, 0])
         assert np.array_equal(got, by_sign(x, None, (value,))[0])
     assert found[0].signature != found[1].signature
+    both = gathered([(value,) for value in values])
+    made = program(by_sign, both, N, 0)
     try:
-        both = gathered([(value,) for value in values])
+        parameters = made.plan.parameter_values(both)
     except ValueError:
         return
-    made = program(by_sign, both, N, 0)
     for k, value in enumerate(values):
-        got = in_python(made.plan, x, np.zeros(0), made.plan.parameter_values(both)[:, k])
+        got = in_python(made.plan, x, np.zeros(0), parameters[:, k])
         assert np.array_equal(got, by_sign(x, None, (value,))[0])
 
 

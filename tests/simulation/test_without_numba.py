@@ -271,9 +271,14 @@ def test_a_lane_that_diverges_leaves_the_others_alone() -> None:
         CASES[4],
     ]
     wanted = simulate_many(train(), cases, 0.5, **RK4)
-    assert [bool(sentence) for sentence in wanted.ended] == [True, False, True, False]
     with no_compiler():
-        assert_cases_near(simulate_many(train(), cases, 0.5, **RK4), wanted)
+        found = simulate_many(train(), cases, 0.5, **RK4)
+    # what the others say of numbers that are none may differ
+    for runs in (wanted, found):
+        assert [bool(sentence) for sentence in runs.ended] == [True, False, True, False]
+    for k in (1, 3):
+        expected = wanted.values[k]
+        np.testing.assert_allclose(found.values[k], expected, rtol=0.0, atol=1e-10 * np.max(np.abs(expected)))
 
 
 def test_a_lane_does_not_depend_on_others_or_on_pauses(monkeypatch: pytest.MonkeyPatch) -> None:
