@@ -1,5 +1,6 @@
 """What a run tells of itself: signals, events, which method ran, why it ended, what it was made of."""
 
+import functools
 import platform
 from collections.abc import Sequence
 from importlib.metadata import version
@@ -118,6 +119,14 @@ def sentence(status: int, clock: Array, settings: Array, parts: Sequence[Array],
     return f"at {at} the motion diverges: its rates are no finite numbers any more"
 
 
+@functools.cache
+def software(*, compiled: bool) -> str:
+    """What computes, with versions; reading them takes longer than a step."""
+    packages = ["numpy", *(["numba"] if compiled else [])]
+    own = [f"eom {version('eom-vehicle')}", f"Python {platform.python_version()}"]
+    return ", ".join(own + [f"{name} {version(name)}" for name in packages])
+
+
 def identity(told: Told) -> dict[str, str]:
     """What the run was made of: vehicle, parameters, software, how it was integrated."""
     vehicle = told.model.vehicle if isinstance(told.model, TyreModel) else None
@@ -125,9 +134,7 @@ def identity(told: Told) -> dict[str, str]:
     found = {} if vehicle is None else {"file": str(vehicle.file), "sha256": vehicle.digest}
     if vehicle is not None:
         found["parameters"] = ", ".join(f"{name} = {value!r}" for name, value in vehicle.values.items())
-    packages = ["numpy", *(["numba"] if installed() else [])]
-    software = [f"eom {version('eom-vehicle')}", f"Python {platform.python_version()}"]
-    found["software"] = ", ".join(software + [f"{name} {version(name)}" for name in packages])
+    found["software"] = software(compiled=installed())
     found["integration"] = (
         f"method {told.asked.method}, tolerance {own.settings[of.TOLERANCE]:g}, "
         f"{'step' if told.asked.method == 'rk4' else 'largest step'} {own.settings[of.LARGEST]:g} s"
