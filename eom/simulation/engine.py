@@ -1,5 +1,6 @@
 """One run in numbers: memory, inputs, and the loops that go on in it, compiled where there is a compiler."""
 
+import hashlib
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -16,6 +17,9 @@ from eom.simulation.equations import Equations
 from eom.simulation.signal_pieces import Driven
 from eom.simulation.stiffness import NUDGE
 
+ROOTS: dict[bytes, tuple[float, Array]] = {}
+"""Fastest roots of starts that were searched."""
+REMEMBERED = 1024
 FIRST_STEP = 1e-3
 """Step [s] with which adaptive methods begin."""
 ROOM = 64
@@ -168,7 +172,20 @@ def beginning(equations: Equations, x: Array, driven: Driven, largest: float) ->
 
 
 def fastest_root(equations: Equations, x: Array, u: Array) -> tuple[float, Array]:
-    """Magnitude of the fastest root at a state [1/s], and its direction, (n,)."""
+    """Magnitude of the fastest root at a state [1/s], and its direction, (n,); runs from the same start share it."""
+    program, parameters = equations.ready
+    key = hashlib.sha256(
+        b"".join((program.signature.encode(), parameters.tobytes(), x.tobytes(), u.tobytes()))
+    ).digest()
+    if key not in ROOTS:
+        if len(ROOTS) >= REMEMBERED:
+            ROOTS.clear()
+        ROOTS[key] = searched_root(equations, x, u)
+    return ROOTS[key]
+
+
+def searched_root(equations: Equations, x: Array, u: Array) -> tuple[float, Array]:
+    """The same by the eigenvalues of the Jacobian, which differences give."""
     steps = NUDGE * (equations.size + equations.growing * np.abs(x))
     at = equations.ready.results(x, u, 0)
     moved = [equations.ready.results(x + step * row, u, 0) for step, row in zip(steps, np.eye(len(x)), strict=True)]

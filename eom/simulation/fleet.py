@@ -168,7 +168,7 @@ def fleet(
     work[:, :m] = [item.base for item in inputs]
     work[:, m : m + len(parameters)] = parameters.T
     pieces, signals = joined_signals(inputs)
-    begun = begun_alike(equations, parameters, starts, inputs, settings[1])
+    begun = begun_each(equations, parameters, starts, inputs, settings[1])
     return Fleet(
         program=program,
         parameters=parameters,
@@ -196,18 +196,14 @@ def fleet(
     )
 
 
-def begun_alike(
+def begun_each(
     equations: Equations, parameters: Array, starts: Sequence[Array], inputs: Sequence[Driven], largest: float
 ) -> list[tuple[Array, Array]]:
-    """Clock and vectors of each case; those that start alike share the search for the fastest root."""
-    known: dict[bytes, tuple[Array, Array]] = {}
+    """Clock and vectors of each case."""
     result = []
     for own, x, item in zip(parameters.T, starts, inputs, strict=True):
-        key = own.tobytes() + x.tobytes() + item.base.tobytes()
-        if key not in known:
-            ready = equations.ready._replace(parameters=np.ascontiguousarray(own))
-            known[key] = beginning(equations._replace(ready=ready), x, item, largest)
-        result.append(known[key])
+        ready = equations.ready._replace(parameters=np.ascontiguousarray(own))
+        result.append(beginning(equations._replace(ready=ready), x, item, largest))
     return result
 
 
