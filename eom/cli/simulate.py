@@ -11,9 +11,9 @@ from eom.errors import SimulationError
 from eom.model.tyre import build
 from eom.report.pictures import FORMATS, save
 from eom.report.simulation import report
+from eom.simulation import RunInterrupted, simulate
 from eom.simulation.equations import Model
 from eom.simulation.run import Run
-from eom.simulation.running import RunInterrupted, simulate
 
 MISTAKE, INTERRUPTED = 2, 130
 """Exit status of a run that cannot go on, and of one that was interrupted from the keyboard."""

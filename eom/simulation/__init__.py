@@ -4,9 +4,10 @@ from eom.simulation.batch import Case, simulate_many
 from eom.simulation.blocks import Block
 from eom.simulation.channels import Channels, Event
 from eom.simulation.inputs import Constant, Sine, Steps, Table
+from eom.simulation.interrupted import RunInterrupted
 from eom.simulation.run import Run
 from eom.simulation.run_file import load_run
-from eom.simulation.running import RunInterrupted, simulate
+from eom.simulation.running import simulate
 from eom.simulation.runs import Runs
 from eom.simulation.sensors import Sensor
 

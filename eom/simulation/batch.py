@@ -17,6 +17,7 @@ from eom.simulation.equations import Equations, Model, at_start, check_kind, equ
 from eom.simulation.fleet import Fleet, fleet
 from eom.simulation.functions import Broken
 from eom.simulation.inputs import Input
+from eom.simulation.interrupted import RunInterrupted
 from eom.simulation.progress import Progress
 from eom.simulation.report import events
 from eom.simulation.request import Request, checked
@@ -77,7 +78,10 @@ def simulate_many(
     Raises
     ------
     SimulationError
-        For every mistake in what is asked, with the number of the case.
+        For every mistake in what is asked, with the number of the case, and for a block that fails; ``partial`` is what
+        was computed until then.
+    RunInterrupted
+        A KeyboardInterrupt; ``partial`` alike.
     DescriptionError, EquilibriumError
         If the parameters of a case make no vehicle, or one without straight run.
     """
@@ -106,8 +110,14 @@ def simulate_many(
         )
     with Progress(f"preparing {len(cases)} cases"):
         ready = prepared(model, cases, asked, columns, threads)
-    held = gone_through(ready, one)
     kept = [(k, names[k]) for k in columns]
+    held: list[tuple[float, Array]] = []
+    try:
+        go_through(ready, one, held)
+    except KeyboardInterrupt:
+        raise RunInterrupted(told(model, one, ready, kept, held), f"interrupted at {ready.time:.6g} s") from None
+    except SimulationError as error:
+        raise SimulationError(str(error), told(model, one, ready, kept, held)) from error.__cause__
     return told(model, one, ready, kept, held)
 
 
@@ -212,16 +222,15 @@ def parameters_of(model: Model, models: Sequence[Model], equations: Equations) -
         raise SimulationError(f"{error}: simulate them apart") from None
 
 
-def gone_through(own: Fleet, asked: Request) -> list[tuple[float, Array]]:
-    """Go on with all cases to their ends; instants with what the ports of blocks held from then on."""
-    held: list[tuple[float, Array]] = []
+def go_through(own: Fleet, asked: Request, held: list[tuple[float, Array]]) -> None:
+    """Go on with all cases to their ends; *held* gets instants with what the ports of blocks hold from then on."""
     wiring = asked.wiring
     with Progress(f"simulating {len(own.clock)} cases", asked.duration) as progress:
         if not wiring.blocks:
             while own.going(asked.duration):
                 own.go_on(asked.duration, progress.next_stop(own.time, SLICE), closed=True)
                 progress.reached(own.time)
-            return held
+            return
         ports = begun(wiring, len(own.clock))
         for time, due in sample_times(wiring):
             own.go_on(min(time, asked.duration), np.inf, closed=time >= asked.duration)
@@ -231,7 +240,6 @@ def gone_through(own: Fleet, asked: Request) -> list[tuple[float, Array]]:
             ports = updated(wiring, due, time, own.observe(), ports)
             held.append((time, ports.acting))
             own.work[:, wiring.inputs] = ports.acting[wiring.sources].T
-    return held
 
 
 def told(
@@ -241,7 +249,9 @@ def told(
     wiring, limits = asked.wiring, model.limits if isinstance(model, TyreModel) else ()
     units = [*model.state_units, *model.input_units, *model.output_units]
     values = own.rows
-    if wiring.signals:
+    if wiring.signals and not held:
+        values = np.concatenate((values, np.full((*values.shape[:2], len(wiring.signals)), np.nan)), axis=2)
+    elif wiring.signals:
         instants, ports = zip(*held, strict=True)
         at = np.array(ports)[np.searchsorted(instants, own.times, side="right") - 1]
         for k, until in enumerate(own.until):

@@ -76,9 +76,12 @@ class Fleet:
         while True:
             self.counts[:, of.EVENTS] = 0
             room = np.zeros((len(self.clock), room_of(self.margins.shape[2]), of.EVENT_STATE + self.v.shape[2]))
-            self.some(functools.partial(self.advance, until=until, pause=pause, closed=ends, room=room))
-            for c in np.flatnonzero(self.counts[:, of.EVENTS]):
-                self.events[c].append(room[c, : self.counts[c, of.EVENTS]].copy())
+            try:
+                self.some(functools.partial(self.advance, until=until, pause=pause, closed=ends, room=room))
+            finally:
+                # also of what is interrupted
+                for c in np.flatnonzero(self.counts[:, of.EVENTS]):
+                    self.events[c].append(room[c, : self.counts[c, of.EVENTS]].copy())
             full = self.status == of.FULL
             if not np.any(full):
                 return

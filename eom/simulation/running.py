@@ -13,6 +13,7 @@ from eom.simulation.blocks import Block
 from eom.simulation.engine import Engine, engine
 from eom.simulation.equations import Equations, Model, at_start, check_kind, equations_of
 from eom.simulation.inputs import Input
+from eom.simulation.interrupted import RunInterrupted
 from eom.simulation.progress import Progress
 from eom.simulation.report import Told, run_of, sentence
 from eom.simulation.request import Request, checked
@@ -23,14 +24,6 @@ from eom.simulation.wiring import Wiring
 
 SLICE = 0.25
 """Time [s] of the clock on the wall after which a long run lets itself be seen and interrupted."""
-
-
-class RunInterrupted(KeyboardInterrupt):
-    """A run that was interrupted from the keyboard; ``partial`` is the run until then."""
-
-    def __init__(self, partial: Run) -> None:
-        self.partial = partial
-        super().__init__(partial.ended)
 
 
 def simulate(
@@ -133,7 +126,8 @@ class Running(NamedTuple):
                         break
         except KeyboardInterrupt:
             self.take_last_sample()
-            raise RunInterrupted(self.run(held, f"interrupted at {own.time:.6g} s")) from None
+            what = f"interrupted at {own.time:.6g} s"
+            raise RunInterrupted(self.run(held, what), what) from None
         except SimulationError as error:
             self.take_last_sample()
             raise SimulationError(str(error), self.run(held, str(error))) from error.__cause__

@@ -7,11 +7,12 @@ from typing import Any
 import numpy as np
 import pytest
 
+from eom.assembly.vectors import Array
 from eom.driver.speed_keeping import SpeedKeeping
 from eom.errors import AnalysisError, DescriptionError, SimulationError
 from eom.model.linear import linearise
 from eom.model.tyre import TyreModel, build_tyre_model
-from eom.simulation import Block, Event, Run, Sensor, Sine, Steps, Table, batch, simulate
+from eom.simulation import Block, Event, Run, RunInterrupted, Sensor, Sine, Steps, Table, batch, simulate
 from eom.simulation.batch import Case, simulate_many
 from eom.simulation.progress import Progress
 from eom.simulation.runs import Runs
@@ -376,3 +377,40 @@ def test_what_only_a_case_makes_impossible_is_told_with_its_number() -> None:
 def test_parameters_that_no_vehicle_has_are_refused() -> None:
     with pytest.raises(DescriptionError, match="mew"):
         simulate_many(train(), [Case(), Case(parameters={"mew": 0.3})], 1.0)
+
+
+class Failing:
+    """A block that fails, or interrupts, after some samples."""
+
+    name, period = "failing", 0.05
+    inputs, outputs, units = ("tractor.ay",), ("held",), ("m/s^2",)
+
+    def __init__(self, error: BaseException, after: int) -> None:
+        self.error, self.after = error, after
+        self.reset()
+
+    def reset(self) -> None:
+        """Count anew."""
+        self.count = 0
+
+    def update(self, t: float, y: Array) -> Array:
+        """What it reads, so many times."""
+        del t
+        self.count += 1
+        if self.count > self.after:
+            raise self.error
+        return y
+
+
+@pytest.mark.parametrize("error", [ValueError("no more"), KeyboardInterrupt()])
+def test_what_was_computed_before_a_failure_or_an_interrupt_is_kept(error: BaseException) -> None:
+    cases = [Case(SWERVE), Case()]
+    with pytest.raises((SimulationError, RunInterrupted)) as stopped:
+        simulate_many(train(), cases, 1.0, blocks=[Failing(error, 3)])
+    partial = getattr(stopped.value, "partial", None)
+    assert isinstance(partial, Runs)
+    whole = simulate_many(train(), cases, 1.0, blocks=[Failing(error, 99)])
+    taken = partial.time < 0.15
+    for name in whole.signals:
+        assert np.array_equal(partial.of(name)[:, taken], whole.of(name)[:, taken])
+        assert np.all(np.isnan(partial.of(name)[:, ~taken]))
