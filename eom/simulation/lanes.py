@@ -1,6 +1,7 @@
 """Many cases at once in NumPy, by the classical method: what `eom.simulation.advance` does, case by case in lanes.
 
-Every array's last axis is that of the cases. Each case takes the very steps that it would take alone.
+Every array's last axis is that of the cases. Each case takes the very steps that it would take alone. The caller lets
+NumPy ignore what cases that have ended compute.
 """
 
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -81,8 +82,7 @@ class Lanes:
     def results(self, t: Array, before: Any, x: Array, level: int, cases: Any = slice(None)) -> Array:
         """Results of some cases at instants and states, (results, cases), those of the last level alone."""
         u = self.fill(t, before, cases)
-        with np.errstate(all="ignore"):
-            found = self.fleet.program.of_arrays(x, u, self.p[:, cases], level)
+        found = self.fleet.program.of_arrays(x, u, self.p[:, cases], level)
         return np.array(np.broadcast_arrays(*found, t)[:-1])
 
     def size_of(self, change: Array) -> Array:
@@ -136,6 +136,13 @@ class Lanes:
                 self.ended(active.copy(), of.FULL, active)
         self.hand_back(margins)
 
+    def observe(self) -> Array:
+        """Outputs, inputs and states of all cases at their instants, (signals, cases)."""
+        after = np.zeros(len(self.time), dtype=bool)
+        found = self.results(self.time, after, self.x, 2)
+        u = self.fill(self.time, after, slice(None))
+        return np.concatenate((found[self.n + self.limits :], u, self.x))
+
     def find_stops(self) -> None:
         """The stop that comes next in each case."""
         for k, c in enumerate(self.cases):
@@ -181,16 +188,14 @@ class Lanes:
         dd, de, ee = np.sum(d * d, axis=0), np.sum(d * e, axis=0), np.sum(e * e, axis=0)
         df, ef = np.sum(d * g, axis=0), np.sum(e * g, axis=0)
         apart = ee * dd - de * de
-        with np.errstate(all="ignore"):
-            a, b = (ef * dd - df * de) / apart, (ee * df - de * ef) / apart
-            inner = a * a + 4.0 * b
-            pair = np.where(
-                inner >= 0.0, 0.5 * (np.abs(a) + np.sqrt(np.maximum(inner, 0.0))), np.sqrt(np.maximum(-b, 0.0))
-            )
-            root = np.where(apart > 1e-8 * ee * dd, pair, np.sqrt(ee / dd))
-            length = self.size_of(again)
-            good = due & (length > 0.0) & np.isfinite(length)
-            self.direction = np.where(good, again / np.where(good, length, 1.0), self.direction)
+        a, b = (ef * dd - df * de) / apart, (ee * df - de * ef) / apart
+        inner = a * a + 4.0 * b
+        real = 0.5 * (np.abs(a) + np.sqrt(np.maximum(inner, 0.0)))
+        pair = np.where(inner >= 0.0, real, np.sqrt(np.maximum(-b, 0.0)))
+        root = np.where(apart > 1e-8 * ee * dd, pair, np.sqrt(ee / dd))
+        length = self.size_of(again)
+        good = due & (length > 0.0) & np.isfinite(length)
+        self.direction = np.where(good, again / np.where(good, length, 1.0), self.direction)
         self.root = np.where(due & np.isfinite(root), root, self.root)
         self.looked = np.where(due, self.time, self.looked)
 
@@ -261,8 +266,7 @@ class Lanes:
             if not due.size:
                 return
             t, own = instants[due], step.of(due)
-            with np.errstate(all="ignore"):
-                x = np.where(own.h > 0.0, own.at((t - own.t) / np.where(own.h > 0.0, own.h, 1.0)), own.x)
+            x = np.where(own.h > 0.0, own.at((t - own.t) / np.where(own.h > 0.0, own.h, 1.0)), own.x)
             u = self.fill(t, np.zeros(len(due), dtype=bool), due)
             found = self.results(t, np.zeros(len(due), dtype=bool), x, 2, due)
             every = np.concatenate((x, u, found[self.n + self.limits :]))
