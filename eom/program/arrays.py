@@ -1,12 +1,14 @@
 """Arrays of nodes: NumPy's functions, written down on a tape instead of computed."""
 
 import functools
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from types import SimpleNamespace
 from typing import Any, ClassVar
 
 import numpy as np
 
-from eom.program.tape import BRANCH, VALUES, Call, Node, Op, Tape, binary, both, chosen
+from eom.program.call import called
+from eom.program.tape import BRANCH, VALUES, Node, Op, Tape, binary, both, chosen
 
 MANY = 4
 """So many elementary functions of the same kind at once are a call over lanes."""
@@ -68,7 +70,7 @@ class NodeArray(np.ndarray[Any, np.dtype[np.object_]]):
         """Any elementwise function, or its reduction."""
         plain = [item.view(np.ndarray) if isinstance(item, NodeArray) else item for item in inputs]
         if method == "__call__" and ufunc.__name__ in self.TRANSCENDENTAL:
-            result = transcendental(ufunc, self.TRANSCENDENTAL[ufunc.__name__], plain[0])
+            result = transcendental(self.TRANSCENDENTAL[ufunc.__name__], plain[0])
         elif method == "__call__" and ufunc.__name__ in self.UFUNCS:
             result = self.UFUNCS[ufunc.__name__](*plain)
         elif method == "__call__" and ufunc.__name__ == "matmul":
@@ -97,7 +99,7 @@ class NodeArray(np.ndarray[Any, np.dtype[np.object_]]):
         result = super().__array_function__(func, types, args, kwargs)
         return as_nodes(result) if isinstance(result, np.ndarray) and result.dtype == object else result
 
-    def over_lanes(self, function: Any, coefficients: Any, rows: int, arguments: list[Any]) -> Any:
+    def over_lanes(self, function: Any, coefficients: Any, arguments: list[Any]) -> Any:
         """``function(coefficients, *arguments)`` of arrays over lanes as one call, (rows, lanes)."""
         tape, count = tape_of(self), len(arguments[0])
 
@@ -107,8 +109,16 @@ class NodeArray(np.ndarray[Any, np.dtype[np.object_]]):
             return tuple((item if isinstance(item, Node) else tape.constant(float(item))).place for item in row)
 
         names: tuple[str, ...] = () if coefficients is None else coefficients.names
-        own = tuple(places(getattr(coefficients, name)) for name in names)
-        return as_nodes(called(tape, Call(function, names, own, tuple(map(places, arguments)), rows)))
+        given = [places(values) for values in (*(getattr(coefficients, name) for name in names), *arguments)]
+
+        def in_one(nodes: Sequence[Node]) -> list[Node]:
+            """The function in one lane."""
+            values = [as_nodes(node) for node in nodes]
+            own = () if coefficients is None else (SimpleNamespace(**dict(zip(names, values, strict=False))),)
+            found = function(*own, *values[len(names) :])
+            return [nodes[0].lifted(np.asarray(item, dtype=object).item()) for item in found]
+
+        return as_nodes(called(tape, in_one, given))
 
     def solve_positive(self, right: Any) -> Any:
         """Solution of a system whose matrix this is, symmetric and positive definite: by L D L'."""
@@ -174,14 +184,14 @@ def tape_of(array: Any) -> Tape:
     return tape
 
 
-def transcendental(ufunc: Any, op: Op, array: Any) -> Any:
+def transcendental(op: Op, array: Any) -> Any:
     """A function that takes long: of many numbers at once it is a call over lanes."""
     array = np.asarray(array, dtype=object)
     nodes = list(dict.fromkeys(item.place for item in array.flat if isinstance(item, Node) and item.value is None))
     if len(nodes) < MANY:
         return one(op)(array)
     tape = tape_of(array)
-    found = called(tape, Call(ufunc, (), (), (tuple(nodes),), 1))[0]
+    (found,) = called(tape, lambda given: [given[0].apply(op)], [tuple(nodes)])
     lanes = dict(zip(nodes, found, strict=True))
     known = one(op)
 
@@ -190,14 +200,6 @@ def transcendental(ufunc: Any, op: Op, array: Any) -> Any:
         return lanes[item.place] if isinstance(item, Node) and item.place in lanes else known(item)
 
     return elementwise(value, 1)(array)
-
-
-def called(tape: Tape, call: Call) -> list[list[Node]]:
-    """The results of a call over lanes, rows of nodes; the same call before is the same one."""
-    if call not in tape.calls:
-        tape.calls.append(call)
-    index, lanes = tape.calls.index(call), len(call.arguments[0])
-    return [[tape.node(Op.LANE, index, row, lane) for lane in range(lanes)] for row in range(call.rows)]
 
 
 def solved(matrix: Any, right: Any) -> Any:

@@ -8,13 +8,9 @@ from collections.abc import Callable, Sequence
 from importlib import import_module
 from typing import Any
 
-import numpy as np
-
 from eom.program import elementary
-from eom.program.arrays import as_nodes
-from eom.program.numbers import Coefficients
-from eom.program.plan import Launch, Plan, reached
-from eom.program.tape import Op, Tape
+from eom.program.plan import Launch, Plan
+from eom.program.tape import Op
 
 POINTERS = ("state", "input", "parameters", "scratch", "results")
 WIDE = 8
@@ -226,7 +222,7 @@ def fill_lanes(plan: Plan, item: Launch, level: int, values: "Values") -> None:
         if plan.call_levels[index] == level:
             for row in item.filled:
                 place = plan.tape.calls[index].arguments[row][own]
-                values.memory.store(values.of(place), "scratch", item.arguments[row][1] + lane)
+                values.memory.store(values.of(place), "scratch", item.arguments[row] + lane)
 
 
 class Values:
@@ -274,45 +270,29 @@ class Values:
 def write_lanes(launch: Launch, memory: Memory) -> None:
     """A loop over the lanes of a call, and half a block if that is what is left."""
     cgutils: Any = import_module("numba.core.cgutils")
-    tape, roots = lane_tape(launch)
     whole = launch.stride // WIDE * WIDE
     zero, end, step = (constant(integer(), number) for number in (0, whole, WIDE))
     with cgutils.for_range_slice(memory.builder, zero, end, step, intp=integer()) as (begin, _):
-        write_block(tape, roots, launch, memory, begin, WIDE)
+        write_block(launch, memory, begin, WIDE)
     if whole < launch.stride:
-        write_block(tape, roots, launch, memory, constant(integer(), whole), launch.stride - whole)
+        write_block(launch, memory, constant(integer(), whole), launch.stride - whole)
 
 
-def write_block(tape: Tape, roots: Sequence[int], launch: Launch, memory: Memory, begin: Any, width: int) -> None:
+def write_block(launch: Launch, memory: Memory, begin: Any, width: int) -> None:
     """A call in some lanes side by side."""
-    kind = import_module("llvmlite.ir").VectorType(double(), width)
-    values: dict[int, Value] = {}
-    for place in sorted(reached(tape, roots)):
-        op, *args = tape.ops[place]
+    kind, lane = import_module("llvmlite.ir").VectorType(double(), width), launch.call.lane
+    values: list[Value] = []
+    for op, *args in lane.ops:
         if op == Op.CONST:
-            values[place] = Value(memory.builder, constant(kind, tape.constants[args[0]]))
+            values.append(Value(memory.builder, constant(kind, lane.constants[args[0]])))
         elif op == Op.PARAMETER:
-            values[place] = memory.load("parameters", launch.coefficients + launch.stride * args[0], begin, kind)
+            values.append(memory.load("parameters", launch.coefficients + launch.stride * args[0], begin, kind))
         elif op == Op.INPUT:
-            values[place] = memory.load(*launch.arguments[args[0]], begin, kind)
+            values.append(memory.load("scratch", launch.arguments[args[0]], begin, kind))
         else:
-            values[place] = WRITTEN[Op(op)](*(values[arg] for arg in args))
-    for row, place in enumerate(roots):
+            values.append(WRITTEN[Op(op)](*(values[arg] for arg in args)))
+    for row, place in enumerate(lane.roots):
         memory.store(values[place], "scratch", launch.results + launch.stride * row, begin)
-
-
-def lane_tape(launch: Launch) -> tuple[Tape, list[int]]:
-    """The operations of a call in one lane: coefficients are parameters, arguments inputs."""
-    tape, call = Tape(), launch.call
-
-    def scalar(op: Op, k: int) -> Any:
-        return as_nodes(tape.node(op, k))
-
-    arguments = [scalar(Op.INPUT, k) for k in range(len(call.arguments))]
-    coefficients = Coefficients(**{name: scalar(Op.PARAMETER, k) for k, name in enumerate(call.names)})
-    found = call.of(coefficients, arguments)
-    nodes = [np.asarray(item, dtype=object).item() for item in found]
-    return tape, [(node if hasattr(node, "place") else tape.constant(node)).place for node in nodes]
 
 
 def intrinsic(plan: Callable[[], Plan]) -> Any:

@@ -13,7 +13,7 @@ import numpy as np
 from eom.assembly.vectors import Array
 from eom.program.compiled import compiled_program, installed, kept_plan
 from eom.program.numbers import Numbers, gathered
-from eom.program.plain import Plain, compiled_text, of_arrays, of_numbers
+from eom.program.plain import Plain, compiled_text, plain
 from eom.program.plan import Plan, planned, traced
 
 CALL = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 5, ctypes.c_int64)
@@ -44,15 +44,9 @@ class Program:
         """The plan as Python's code."""
         return compiled_text(self.plan)
 
-    @functools.cached_property
-    def of_numbers(self) -> Plain:
-        """The same in plain Python for one case."""
-        return of_numbers(self.plan, self.code)
-
-    @functools.cached_property
-    def of_arrays(self) -> Plain:
-        """The same in NumPy for many cases at once."""
-        return of_arrays(self.plan, self.code)
+    def plain(self, parameters: Array) -> Plain:
+        """The same in plain Python for one case, (parameters,), or in NumPy for many at once, (parameters, cases)."""
+        return plain(self.plan, self.code, parameters)
 
 
 class Ready(NamedTuple):
@@ -66,7 +60,7 @@ class Ready(NamedTuple):
         plan = self.program.plan
         if not installed():
             with np.errstate(all="ignore"):
-                return np.array(self.program.of_numbers(x.tolist(), u.tolist(), self.parameters, level))
+                return self.program.plain(self.parameters)(x.tolist(), u.tolist(), level)
         out, scratch = np.empty(sum(map(len, plan.roots))), np.ones(plan.scratch)
         arrays = (
             np.ascontiguousarray(x, dtype=float),

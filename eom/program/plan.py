@@ -9,8 +9,9 @@ import numpy as np
 
 from eom.assembly.vectors import Array
 from eom.program.arrays import as_nodes
+from eom.program.call import Call
 from eom.program.numbers import Numbers, lifted
-from eom.program.tape import LEAVES, VALUES, Call, Op, Tape
+from eom.program.tape import LEAVES, VALUES, Op, Tape
 
 LANE_BLOCK = 4
 """Lanes are filled up to a multiple of this, a vector register."""
@@ -19,15 +20,15 @@ LANE_BLOCK = 4
 class Launch(NamedTuple):
     """Calls of one function over all their lanes at once.
 
-    ``lanes`` are (call, lane) pairs. Rows of ``arguments`` stand at places of the scratch memory or of the parameters,
-    and those in ``filled`` have to be filled in before; the others are there already. Results begin at this place of
-    the scratch memory, coefficients at this one of the parameters; their rows are ``stride`` apart.
+    ``lanes`` are (call, lane) pairs. Rows of ``arguments`` stand at places of the scratch memory, and those in
+    ``filled`` have to be filled in before; the others are there already. Results begin at this place of the scratch
+    memory, coefficients at this one of the parameters; their rows are ``stride`` apart.
     """
 
     call: Call
     lanes: tuple[tuple[int, int], ...]
     stride: int
-    arguments: tuple[tuple[str, int], ...]
+    arguments: tuple[int, ...]
     filled: tuple[int, ...]
     results: int
     coefficients: int
@@ -135,7 +136,7 @@ def planned(tape: Tape, roots: tuple[tuple[int, ...], ...]) -> Plan:
     for s in range(count):
         own: list[Launch] = []
         for lanes in together(tape, [index for index, at in times.calls.items() if at == s + 1]):
-            own.append(launched(tape, lanes, times, layout, [*itertools.chain(*launches), *own]))
+            own.append(launched(tape, lanes, layout, [*itertools.chain(*launches), *own]))
         launches.append(tuple(own))
     return Plan(
         tape=tape,
@@ -241,9 +242,7 @@ class Layout:
         return begin
 
 
-def launched(
-    tape: Tape, lanes: Sequence[tuple[int, int]], times: Times, layout: Layout, done: Sequence[Launch]
-) -> Launch:
+def launched(tape: Tape, lanes: Sequence[tuple[int, int]], layout: Layout, done: Sequence[Launch]) -> Launch:
     """The launch of some lanes, after those that are *done*."""
     call = tape.calls[lanes[0][0]]
     stride = -(-len(lanes) // LANE_BLOCK) * LANE_BLOCK
@@ -251,18 +250,14 @@ def launched(
     coefficients = len(layout.parameters)
     for row in range(len(call.coefficients)):
         layout.added([tape.calls[index].coefficients[row][lane] for index, lane in filling])
-    arguments: list[tuple[str, int]] = []
+    arguments: list[int] = []
     filled: list[int] = []
     for row in range(len(call.arguments)):
-        places = [tape.calls[index].arguments[row][lane] for index, lane in filling]
-        there = result_row(tape, places[: len(lanes)], stride, done)
-        if there is not None:
-            arguments.append(("scratch", there))
-        elif not any(place in times.stage for place in places):
-            arguments.append(("parameters", layout.added(places)))
-        else:
-            arguments.append(("scratch", layout.room(stride)))
+        places = [tape.calls[index].arguments[row][lane] for index, lane in lanes]
+        there = result_row(tape, places, stride, done)
+        if there is None:
             filled.append(row)
+        arguments.append(layout.room(stride) if there is None else there)
     results = layout.room(stride * call.rows)
     return Launch(call, tuple(lanes), stride, tuple(arguments), tuple(filled), results, coefficients)
 
@@ -285,5 +280,5 @@ def together(tape: Tape, calls: Sequence[int]) -> list[list[tuple[int, int]]]:
     for index in calls:
         call = tape.calls[index]
         lanes = [(index, lane) for lane in range(len(call.arguments[0]))]
-        found.setdefault((call.function, call.names, call.rows), []).extend(lanes)
+        found.setdefault(call.lane, []).extend(lanes)
     return list(found.values())

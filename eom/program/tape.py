@@ -2,12 +2,15 @@
 
 import math
 import operator
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from enum import IntEnum
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+
+if TYPE_CHECKING:
+    from eom.program.call import Call
 
 
 class Op(IntEnum):
@@ -46,6 +49,7 @@ class Op(IntEnum):
 
 BRANCH = "a branch on a number that is not known before the run: use where, maximum or minimum of arrays"
 LEAVES = frozenset((Op.CONST, Op.PARAMETER, Op.STATE, Op.INPUT, Op.LANE))
+VARYING = frozenset((Op.STATE, Op.INPUT, Op.LANE))
 
 VALUES: dict[Op, Callable[..., Any]] = {
     Op.ADD: operator.add,
@@ -71,37 +75,23 @@ VALUES: dict[Op, Callable[..., Any]] = {
 """What operations do to numbers or arrays."""
 
 
-@dataclass(frozen=True)
-class Call:
-    """``function(coefficients, *arguments)`` over lanes: coefficients by name and arguments as rows of places."""
-
-    function: Any
-    names: tuple[str, ...]
-    coefficients: tuple[tuple[int, ...], ...]
-    arguments: tuple[tuple[int, ...], ...]
-    rows: int
-
-    def of(self, coefficients: Any, arguments: Sequence[Any]) -> tuple[Any, ...]:
-        """The rows of its result."""
-        found = self.function(coefficients, *arguments) if self.names else self.function(*arguments)
-        return found if isinstance(found, tuple) else (found,)
-
-
 @dataclass
 class Tape:
     """Operations in the order of their first use; equal ones are one.
 
     ``samples`` are the parameters of one case, ``vanishing`` those that are zero in some cases; ``alone`` are places of
-    numbers that are no part of an array, ``asked`` the parameters among them whose sign decided a branch.
+    numbers that are no part of an array, ``asked`` the parameters among them whose sign decided a branch; ``varying``
+    says of each place whether it varies in a run.
     """
 
     ops: list[tuple[int, ...]] = field(default_factory=list)
     constants: list[float] = field(default_factory=list)
-    calls: list[Call] = field(default_factory=list)
+    calls: list["Call"] = field(default_factory=list)
     samples: list[float] = field(default_factory=list)
     vanishing: set[int] = field(default_factory=set)
     alone: set[int] = field(default_factory=set)
     asked: set[int] = field(default_factory=set)
+    varying: list[bool] = field(default_factory=list)
     places: dict[tuple[int, ...], int] = field(default_factory=dict)
     known: dict[float | str, int] = field(default_factory=dict)
 
@@ -111,6 +101,7 @@ class Tape:
         place = self.places.setdefault(key, len(self.ops))
         if place == len(self.ops):
             self.ops.append(key)
+            self.varying.append(op in VARYING or (op not in LEAVES and any(self.varying[arg] for arg in args)))
         return Node(self, place)
 
     def constant(self, value: float) -> "Node":
@@ -264,6 +255,9 @@ class Node:
         node = self.lifted(other)
         if self.value == 0.0 or node.value == 1.0:
             return self
+        if self.tape.varying[self.place] and not self.tape.varying[node.place]:
+            # a product is many times as fast as a quotient, and its reciprocal is computed beforehand
+            return self * (1.0 / node)
         return self.apply(Op.DIV, node)
 
     def __rtruediv__(self, other: object) -> "Node":

@@ -201,16 +201,14 @@ def searched_root(equations: Equations, x: Array, u: Array) -> tuple[float, Arra
 
 def python_call(program: Program, parameters: Array) -> Callable[..., None]:
     """What `eom.simulation.steps.evaluate` calls where there is no compiler."""
-    plain = program.of_numbers
+    plain = program.plain(parameters)
 
     def call(at: Any, v: Array, row: int, work: Array, level: int) -> None:
         """Fill the results."""
         begin = int(at[of.RESULTS])
         try:
             with np.errstate(all="ignore"):
-                found = plain(
-                    v[row].tolist(), work[int(at[of.U]) : int(at[of.U] + at[of.INPUTS])].tolist(), parameters, level
-                )
+                found = plain(v[row].tolist(), work[int(at[of.U]) : int(at[of.U] + at[of.INPUTS])].tolist(), level)
         except (ValueError, OverflowError, ZeroDivisionError):
             # what NumPy and compiled code answer with numbers that are none
             work[begin:] = np.nan

@@ -47,7 +47,8 @@ class Lanes:
     def __init__(self, fleet: "Fleet", cases: Any) -> None:
         self.fleet, self.cases = fleet, cases
         self.n, self.limits, self.inputs = (int(fleet.at[k]) for k in (of.STATES, of.LIMITS, of.INPUTS))
-        self.p = np.ascontiguousarray(fleet.parameters[:, cases])
+        self.parameters = np.ascontiguousarray(fleet.parameters[:, cases])
+        self.program = fleet.program.plain(self.parameters)
         self.base = np.ascontiguousarray(fleet.work[cases, : self.inputs].T)
         self.signals = fleet.signals[cases]
         self.x = np.ascontiguousarray(fleet.v[cases, of.X].T)
@@ -79,11 +80,12 @@ class Lanes:
             u[signal[0, INPUT]] = value
         return u
 
-    def results(self, t: Array, before: Any, x: Array, level: int, cases: Any = slice(None)) -> Array:
-        """Results of some cases at instants and states, (results, cases), those of the last level alone."""
-        u = self.fill(t, before, cases)
-        found = self.fleet.program.of_arrays(x, u, self.p[:, cases], level)
-        return np.array(np.broadcast_arrays(*found, t)[:-1])
+    def results(self, t: Array, before: Any, x: Array, level: int, cases: Any = None) -> Array:
+        """Results of some cases, or all, at instants and states, (results, cases), of levels up to one."""
+        if cases is None:
+            return self.program(x, self.fill(t, before, slice(None)), level)
+        own = self.fleet.program.plain(self.parameters[:, cases])
+        return own(x, self.fill(t, before, cases), level)
 
     def size_of(self, change: Array) -> Array:
         """Root mean square of changes of the states over their size, (cases,)."""
@@ -268,7 +270,8 @@ class Lanes:
             t, own = instants[due], step.of(due)
             x = np.where(own.h > 0.0, own.at((t - own.t) / np.where(own.h > 0.0, own.h, 1.0)), own.x)
             u = self.fill(t, np.zeros(len(due), dtype=bool), due)
-            found = self.results(t, np.zeros(len(due), dtype=bool), x, 2, due)
+            own_cases = None if len(due) == len(self.time) else due
+            found = self.results(t, np.zeros(len(due), dtype=bool), x, 2, own_cases)
             every = np.concatenate((x, u, found[self.n + self.limits :]))
             rows = self.cases[due]
             fleet.rows[rows, counts[rows, of.SAMPLES]] = every[fleet.columns].T

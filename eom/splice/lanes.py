@@ -5,14 +5,14 @@ from typing import Any
 import numpy as np
 
 
-def over_lanes(function: Any, coefficients: Any, rows: int, arguments: list[Any]) -> Any:
-    """A function of numbers, applied to arrays of them: *rows* arrays of the same length.
+def over_lanes(function: Any, coefficients: Any, arguments: list[Any]) -> Any:
+    """A function of numbers, applied to arrays of them.
 
     With *coefficients*, an object whose fields are numbers or arrays too, that is its first argument.
     """
     written = getattr(arguments[0], "over_lanes", None)
     if written is not None:
-        return written(function, coefficients, rows, arguments)
+        return written(function, coefficients, arguments)
     return function(*arguments) if coefficients is None else function(coefficients, *arguments)
 
 

@@ -72,6 +72,6 @@ def forces(groups: tuple[LawGroup, ...], count: Array, alpha: Any, kappa: Any, F
     parts = []
     for own, tyre in groups:
         arguments = [value[own] for value in (alpha, kappa, Fz / count, gamma, speed)]
-        parts.append(np.stack([count[own] * value for value in over_lanes(tyre.formula, tyre, ROWS, arguments)]))
+        parts.append(np.stack([count[own] * value for value in over_lanes(tyre.formula, tyre, arguments)]))
     order = np.argsort(np.concatenate([own for own, _ in groups]))
     return np.concatenate(parts, axis=1)[:, order]

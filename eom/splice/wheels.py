@@ -42,7 +42,7 @@ def rolling(state: State, u: Any, at: Motion, p: Model) -> Rolling:
     spin = 0.0 * v_x
     spin[c.spinning] = state.spin
     forward, side, kappa, cos, sin = over_lanes(
-        course, None, 5, [v_x, v_y, p.control.steer @ u, spin, c.radius, spinning(p)]
+        course, None, [v_x, v_y, p.control.steer @ u, spin, c.radius, spinning(p)]
     )
     omega, alpha = forward / c.radius, side + 0.0
     omega[c.spinning] = state.spin
@@ -75,7 +75,7 @@ def pressing(free: Any, whole: Any, alone: Any) -> tuple[Any, Any]:
 def wheel_loads(at: Motion, supports: Any, p: Model) -> tuple[Any, Any]:
     """Normal loads [N] by the supports' loads, and what they are beyond what supports and springs carry, (w,)."""
     c = p.contact
-    load, excess = over_lanes(pressing, None, 2, [free_loads(at, supports, p), c.most @ supports, c.alone])
+    load, excess = over_lanes(pressing, None, [free_loads(at, supports, p), c.most @ supports, c.alone])
     return load, excess
 
 
@@ -89,7 +89,7 @@ def torques(state: State, u: Any, slip: Rolling, p: Model) -> Any:
     control = p.control
     drive = state.drive[0] if control.drive_lag > 0.0 else control.demand @ u
     pressed = state.brake if control.brake_lag > 0.0 else control.brake @ u
-    (braked,) = over_lanes(held_back, None, 1, [pressed, slip.omega, p.contact.radius])
+    (braked,) = over_lanes(held_back, None, [pressed, slip.omega, p.contact.radius])
     return control.drive * drive - braked
 
 
@@ -123,7 +123,7 @@ def on_bodies(found: Any, excess: Any, slip: Rolling, torque: Any, p: Model) -> 
     back = -found[3]
     back[c.spinning] = torque[c.spinning]
     Fx, Fy, Mx, _, Mz = found
-    return np.stack(over_lanes(pushed, None, 6, [Fx, Fy, Mx, back, Mz, slip.cos, slip.sin, excess, c.lever, c.heave]))
+    return np.stack(over_lanes(pushed, None, [Fx, Fy, Mx, back, Mz, slip.cos, slip.sin, excess, c.lever, c.heave]))
 
 
 def following_load(
@@ -156,4 +156,4 @@ def load_slopes(found: Any, load: Any, slip: Rolling, p: Model) -> Any:
     """How the forces on the bodies follow the loads, (6, w); exact at the trim."""
     c = p.contact
     rows = [*found, load, *p.bend, slip.cos, slip.sin, spinning(p), c.radius]
-    return np.stack(over_lanes(following_load, None, 6, rows))
+    return np.stack(over_lanes(following_load, None, rows))

@@ -65,4 +65,4 @@ def formula_of_all(x: Any, _: Any, numbers: Any) -> tuple[Any]:
     """The formula of a stack of tyres, rows of arguments and of results one after the other."""
     (tyre,) = numbers
     arguments = list(x.reshape(len(ARGUMENTS), -1))
-    return (np.ravel(x.over_lanes(tyre.formula, tyre, len(ARGUMENTS), arguments)),)
+    return (np.ravel(x.over_lanes(tyre.formula, tyre, arguments)),)

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from eom.program import compiled, machine, make
 from eom.program.make import Ready, program, ready
 from eom.program.numbers import gathered
-from eom.program.plain import compiled_text, of_arrays, of_numbers
+from eom.program.plain import compiled_text, plain
 from eom.program.plan import Plan, planned, traced
 from eom.program.tape import Node, Op, Tape
 
@@ -31,13 +31,12 @@ def plan_of(function: Function, numbers: Any = (), states: int = N, inputs: int 
 
 def in_python(plan: Plan, x: Array, u: Array, parameters: Array, level: int = 0) -> Array:
     """Results in plain Python."""
-    return np.array(of_numbers(plan, compiled_text(plan))(x.tolist(), u.tolist(), parameters, level))
+    return plain(plan, compiled_text(plan), parameters)(x.tolist(), u.tolist(), level)
 
 
 def in_lanes(plan: Plan, x: Array, u: Array, parameters: Array, level: int = 0) -> Array:
     """Results over cases, (results, cases)."""
-    found = of_arrays(plan, compiled_text(plan))(x, u, parameters, level)
-    return np.array([np.broadcast_to(row, x.shape[1:]) for row in found])
+    return plain(plan, compiled_text(plan), parameters)(x, u, level)
 
 
 def assert_near(found: Any, wanted: Any, size: float = 1.0) -> None:
