@@ -123,13 +123,15 @@ class NodeArray(np.ndarray[Any, np.dtype[np.object_]]):
     def solve_positive(self, right: Any) -> Any:
         """Solution of a system whose matrix this is, symmetric and positive definite: by L D L'."""
         n = len(self)
+        order = elimination_order(self)
+        matrix = self[np.ix_(order, order)]
         L = np.zeros((n, n), dtype=object)
         pivots: list[Any] = []
         inverse: list[Any] = []
         for j in range(n):
             moved = [L[j, k] * pivots[k] for k in range(j)]
             for i in range(j, n):
-                left = self[i, j]
+                left = matrix[i, j]
                 for k in range(j):
                     left = left - L[i, k] * moved[k]
                 if i == j:
@@ -137,7 +139,7 @@ class NodeArray(np.ndarray[Any, np.dtype[np.object_]]):
                     inverse.append(1.0 / left)
                 else:
                     L[i, j] = left * inverse[j]
-        x = list(right)
+        x = [right[i] for i in order]
         for i in range(n):
             for k in range(i):
                 x[i] = x[i] - L[i, k] * x[k]
@@ -145,7 +147,20 @@ class NodeArray(np.ndarray[Any, np.dtype[np.object_]]):
         for i in reversed(range(n)):
             for k in range(i + 1, n):
                 x[i] = x[i] - L[k, i] * x[k]
-        return as_nodes(x)
+        return as_nodes(np.array(x, dtype=object)[np.argsort(order)])
+
+
+def elimination_order(matrix: Any) -> list[int]:
+    """The unknowns of a symmetric system: next is one that fewest of the others are left coupled to."""
+    coupled = {i: {j for j in range(len(matrix)) if j != i and not zero(matrix[i, j])} for i in range(len(matrix))}
+    order: list[int] = []
+    while coupled:
+        following = min(coupled, key=lambda i: (len(coupled[i]), -i))
+        others = coupled.pop(following)
+        for i in others:
+            coupled[i] = (coupled[i] | others) - {following, i}
+        order.append(following)
+    return order
 
 
 def balanced(terms: list[Any]) -> Any:

@@ -107,8 +107,10 @@ def machine_code(function: Any, made: dict[Any, Any], path: Path | None = None) 
                 names[name] = machine_code(value, made)
         code = function.__code__ if path is None else function.__code__.replace(co_filename=str(path))
         plain = FunctionType(code, {**function.__globals__, **names}, function.__name__)
-        njit = import_module("numba").njit
-        made[function] = one_version(njit(cache=path is not None, nogil=True, error_model="numpy")(plain))
+        alone = path is not None
+        options = {"cache": alone, "nogil": True, "error_model": "numpy", "no_cfunc_wrapper": True, "_nrt": False}
+        # what is called by compiled code alone needs no door for Python
+        made[function] = one_version(import_module("numba").njit(no_cpython_wrapper=not alone, **options)(plain))
     return made[function]
 
 

@@ -89,7 +89,9 @@ def advance(
     *times* are instants of samples, whose *columns* are kept in *rows*. Steps end at *stops* [s], where an input or
     its slope jumps.
     """
-    stop = np.searchsorted(stops, clock[TIME], side="right")
+    stop = 0
+    while stop < len(stops) and stops[stop] <= clock[TIME]:
+        stop += 1
     status = start(program, clock, counts, margins, events, terminal, at, v, work, pieces, signals)
     if status == FULL:
         return status

@@ -4,12 +4,11 @@ from typing import Any
 
 import numpy as np
 
-from eom.splice.contact import ROLL
 from eom.splice.lanes import solve_positive
 from eom.splice.motion import body_velocity, generalised, headed
 from eom.splice.state import Balance, Model, Motion, Rolling, State
 from eom.splice.wheels import load_slopes, on_bodies, road_forces, torques, wheel_loads
-from eom.tyre.elementary import magnitude, maximum
+from eom.tyre.elementary import magnitude
 
 
 def passive_forces(state: State, u: Any, at: Motion, p: Model) -> Any:
@@ -76,14 +75,8 @@ def support_loads(state: State, passive: Any, torque: Any, at: Motion, slip: Rol
     on_body = on_bodies(found, excess, slip, torque, p)
     _, _, lacking = accelerations(at, passive + generalised(on_body, at, p), p)
     off = reactions(state, lacking, p)[c.supports] - at_trim
-    # a wheel follows its share, with its partner lifted the whole axle's, and lifted nothing
-    limit = (maximum(c.most @ at_trim, 0.0) + c.alone)[:, np.newaxis]
-    loaded, shared = (load > 0.0)[:, np.newaxis], load[:, np.newaxis] < limit
-    following = np.where(loaded, np.where(shared, c.share, c.most), 0.0)
-    pushed = slope[:, :, np.newaxis] * following
-    pushed[ROLL] += c.lever[:, np.newaxis] * (following - c.share)
     rows = c.rows.reshape(-1, c.rows.shape[2])
-    gain = (p.load_gain @ rows.T) @ pushed.reshape(-1, len(at_trim))
+    gain = (p.load_gain @ rows.T) @ slope.reshape(-1, len(at_trim))
     return at_trim + np.linalg.solve(np.eye(len(at_trim)) - gain, off)
 
 

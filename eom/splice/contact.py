@@ -36,9 +36,11 @@ class Contact(NamedTuple):
     carried : Array
         Loads of the supports at the trim [N], (s,).
     share : Array
-        Loads by the supports' reactions, (w, s).
+        Loads by the supports' reactions, (w, s); a wheel has one support at most.
     most, alone : Array
         Share of its support's load that it carries when its partner lifts off, (w, s); infinite without one, (w,).
+    support : NDArray
+        Number of each wheel's support, -1 without one, (w,).
     sprung, damped : Array
         Loads by p, of rolling tyres and of springs of their own, and by dp/dt, (w, N).
     spinning : NDArray
@@ -63,6 +65,7 @@ class Contact(NamedTuple):
     share: Array
     most: Array
     alone: Array
+    support: NDArray[np.intp]
     sprung: Array
     damped: Array
     spinning: NDArray[np.intp]
@@ -122,6 +125,7 @@ def contacts(system: System, pivots: Pivots, loads: Array, reactions: Array) -> 
         share=share,
         most=most,
         alone=np.where(np.any(share, axis=1), 0.0, np.inf),
+        support=np.array([names.index(wheel.support) if wheel.support else -1 for wheel in wheels], dtype=np.intp),
         sprung=spring_rows[0],
         damped=spring_rows[1],
         spinning=np.flatnonzero([wheel.spin_inertia > 0.0 for wheel in wheels]),

@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 
 from eom.splice.balance import balance
+from eom.splice.lanes import over_lanes
 from eom.splice.motion import motion
 from eom.splice.state import Evaluation, Model, split_state
 from eom.splice.wheels import rolling, slip_speed
@@ -23,6 +24,11 @@ def rates(x: Any, u: Any, p: Model) -> Any:
     return rates_of(evaluate(x, u, p), u, p)
 
 
+def spun(torque: Any, My: Any, Fx: Any, radius: Any) -> tuple[Any]:
+    """Sum of the torques about the axle of a wheel [N m]."""
+    return (torque + My - radius * Fx,)
+
+
 def rates_of(every: Evaluation, u: Any, p: Model) -> Any:
     """dx/dt of what a state and inputs mean."""
     state, at, slip, found = every.state, every.motion, every.rolling, every.balance
@@ -30,7 +36,8 @@ def rates_of(every: Evaluation, u: Any, p: Model) -> Any:
     yaw = state.frame[2]
     v_x, v_y, yaw_rate = state.n[p.body.lead[0]], state.n[p.body.lead[1]], state.n[p.body.lead[2]]
     frame = np.array([np.cos(yaw) * v_x - np.sin(yaw) * v_y, np.sin(yaw) * v_x + np.cos(yaw) * v_y, yaw_rate])
-    spin = control.spin @ (found.torque + found.forces[3] - c.radius * found.forces[0])
+    (turning,) = over_lanes(spun, None, [found.torque, found.forces[3], found.forces[0], c.radius])
+    spin = control.spin @ turning
     reach = slip_speed(slip.forward[c.relaxing]) / c.relaxation
     side = reach * (slip.side[c.relaxing] - state.side)
     # without a lag there is no state, and nothing that would be divided

@@ -79,18 +79,18 @@ def wheel_loads(at: Motion, supports: Any, p: Model) -> tuple[Any, Any]:
     return load, excess
 
 
-def held_back(pressed: Any, omega: Any, radius: Any) -> tuple[Any]:
-    """Torque of a brake [N m]: it resists rotation either way, and pulls at none."""
-    return (maximum(pressed, 0.0) * rolling_sense(omega * radius, CREEP),)
+def turned_by(share: Any, drive: Any, pressed: Any, omega: Any, radius: Any) -> tuple[Any]:
+    """Torque on a wheel [N m]: its share of the drive's, less a brake's, which resists rotation and pulls at none."""
+    return (share * drive - maximum(pressed, 0.0) * rolling_sense(omega * radius, CREEP),)
 
 
 def torques(state: State, u: Any, slip: Rolling, p: Model) -> Any:
     """Torque of drive and brakes on each wheel [N m]."""
-    control = p.control
+    control, omega = p.control, slip.omega
     drive = state.drive[0] if control.drive_lag > 0.0 else control.demand @ u
     pressed = state.brake if control.brake_lag > 0.0 else control.brake @ u
-    (braked,) = over_lanes(held_back, None, [pressed, slip.omega, p.contact.radius])
-    return control.drive * drive - braked
+    (found,) = over_lanes(turned_by, None, [control.drive, drive + 0.0 * omega, pressed, omega, p.contact.radius])
+    return found
 
 
 def road_forces(slip: Rolling, load: Any, torque: Any, p: Model) -> Any:
@@ -142,18 +142,34 @@ def following_load(
     sin: Any,
     spins: Any,
     radius: Any,
+    lever: Any,
+    share: Any,
+    whole: Any,
+    limit: Any,
 ) -> tuple[Any, ...]:
-    """How the forces of a wheel on its body follow its load: in proportion, and as *bend* says beside."""
-    share = 1.0 / (load + LIFTED)
-    pitch = My * share + bend_pitch
-    along = spins * (Fx * share + bend_x) + (1.0 - spins) * pitch / radius
+    """How the forces of a wheel on its body follow the load of its support.
+
+    They follow its own load in proportion, and as *bend* says beside; that follows its share of the support's load,
+    with its partner lifted the *whole* axle's, and lifted nothing.
+    """
+    by_load = 1.0 / (load + LIFTED)
+    pitch = My * by_load + bend_pitch
+    along = spins * (Fx * by_load + bend_x) + (1.0 - spins) * pitch / radius
     none = 0.0 * load
-    across, roll, yaw = Fy * share + bend_y, Mx * share + bend_roll, Mz * share + bend_yaw
-    return pushed(along, across, roll, (spins - 1.0) * pitch, yaw, cos, sin, none, none, none)
+    across, roll, yaw = Fy * by_load + bend_y, Mx * by_load + bend_roll, Mz * by_load + bend_yaw
+    own = np.where(load > 0.0, np.where(load < limit, share, whole), none)
+    x, y, roll, pitch, yaw, z = pushed(along, across, roll, (spins - 1.0) * pitch, yaw, cos, sin, none, none, none)
+    return own * x, own * y, own * roll + lever * (own - share), own * pitch, own * yaw, own * z
 
 
 def load_slopes(found: Any, load: Any, slip: Rolling, p: Model) -> Any:
-    """How the forces on the bodies follow the loads, (6, w); exact at the trim."""
+    """How the forces on the bodies follow the loads of the supports, (6, w, s); exact at the trim.
+
+    *found* are the road's forces at *load*, with the supports' loads of the trim.
+    """
     c = p.contact
-    rows = [*found, load, *p.bend, slip.cos, slip.sin, spinning(p), c.radius]
-    return np.stack(over_lanes(following_load, None, rows))
+    limit = maximum(c.most @ c.carried, 0.0) + c.alone
+    rows = [*found, load, *p.bend, slip.cos, slip.sin, spinning(p), c.radius, c.lever]
+    by_own = over_lanes(following_load, None, [*rows, np.sum(c.share, axis=1), np.sum(c.most, axis=1), limit])
+    standing_on = np.where(c.support[:, np.newaxis] == np.arange(len(c.carried)), 1.0, 0.0)
+    return np.stack(by_own)[:, :, np.newaxis] * standing_on
