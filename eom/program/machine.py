@@ -1,7 +1,7 @@
 """A plan as machine code: straight lines of arithmetic, and loops over lanes, several to a vector register.
 
 What compilers do with loops and arrays is not needed where everything is known beforehand; so instructions are handed
-to LLVM one by one, by way of numba's intrinsics.
+to LLVM one by one.
 """
 
 from collections.abc import Callable, Sequence
@@ -9,12 +9,13 @@ from importlib import import_module
 from typing import Any
 
 from eom.program import elementary
+from eom.program.object_code import ENTRY
 from eom.program.plan import Launch, Plan
 from eom.program.tape import Op
 
 POINTERS = ("state", "input", "parameters", "scratch", "results")
-WIDE = 8
-"""Lanes side by side: two vector registers of four, which hide each other's latency."""
+WIDE = 20
+"""Lanes side by side: several vector registers, which hide each other's latency."""
 SLOPPY = ("contract",)
 """A product and a sum may be one instruction: more exact, not less."""
 
@@ -269,11 +270,19 @@ class Values:
 
 def write_lanes(launch: Launch, memory: Memory) -> None:
     """A loop over the lanes of a call, and half a block if that is what is left."""
-    cgutils: Any = import_module("numba.core.cgutils")
     whole = launch.stride // WIDE * WIDE
-    zero, end, step = (constant(integer(), number) for number in (0, whole, WIDE))
-    with cgutils.for_range_slice(memory.builder, zero, end, step, intp=integer()) as (begin, _):
+    if whole:
+        builder = memory.builder
+        before, body, after = builder.block, builder.append_basic_block(), builder.append_basic_block()
+        builder.branch(body)
+        builder.position_at_end(body)
+        begin = builder.phi(integer())
         write_block(launch, memory, begin, WIDE)
+        following = builder.add(begin, constant(integer(), WIDE))
+        begin.add_incoming(constant(integer(), 0), before)
+        begin.add_incoming(following, builder.block)
+        builder.cbranch(builder.icmp_signed("<", following, constant(integer(), whole)), body, after)
+        builder.position_at_end(after)
     if whole < launch.stride:
         write_block(launch, memory, constant(integer(), whole), launch.stride - whole)
 
@@ -295,18 +304,16 @@ def write_block(launch: Launch, memory: Memory, begin: Any, width: int) -> None:
         memory.store(values[place], "scratch", launch.results + launch.stride * row, begin)
 
 
-def intrinsic(plan: Callable[[], Plan]) -> Any:
-    """Numba's function of (state, input, parameters, scratch, results, level), pointers and a number.
-
-    The plan is asked for when it is compiled.
-    """
-    extending, types = import_module("numba.extending"), import_module("numba.types")
-
-    def code(context: Any, builder: Any, _signature: Any, args: Any) -> Any:
-        write(plan(), builder, args[:-1], args[-1])
-        return context.get_dummy_value()
-
-    def program(_typing: Any, x: Any, u: Any, parameters: Any, scratch: Any, results: Any, level: Any) -> Any:
-        return types.void(x, u, parameters, scratch, results, level), code
-
-    return extending.intrinsic(program)
+def machine_text(plan: Plan) -> str:
+    """LLVM's text of a function of (state, input, parameters, scratch, results, level), pointers and a number."""
+    ir = import_module("llvmlite.ir")
+    module = ir.Module()
+    kind = ir.FunctionType(ir.VoidType(), [double().as_pointer()] * len(POINTERS) + [integer()])
+    function = ir.Function(module, kind, ENTRY)
+    builder = ir.IRBuilder(function.append_basic_block())
+    *pointers, level = function.args
+    for pointer in pointers:
+        pointer.add_attribute("noalias")
+    write(plan, builder, pointers, level)
+    builder.ret_void()
+    return str(module)

@@ -37,7 +37,7 @@ class Program:
     @functools.cached_property
     def address(self) -> int:
         """Of its machine code, which is compiled if it never was."""
-        return compiled_program(self.signature, lambda: self.plan)
+        return compiled_program(self.signature, self.plan)
 
     @functools.cached_property
     def code(self) -> CodeType:

@@ -214,7 +214,3 @@ def look(program: Any, t: float, at: Any, v: Any, work: Any, pieces: Any, signal
     """Set inputs and outputs to those of the state at an instant, after what jumps there."""
     fill_inputs(t, False, at, work, pieces, signals)
     evaluate(program, at, v, X, work, 2)
-
-
-# other loops call it as it is in the cache
-look.kept = True  # type: ignore[attr-defined]

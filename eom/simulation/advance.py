@@ -173,10 +173,6 @@ def advance(
     return DONE
 
 
-# other loops call it as it is in the cache
-advance.kept = True  # type: ignore[attr-defined]
-
-
 def start(
     program: Any,
     clock: Any,

@@ -8,12 +8,13 @@ from typing import Any
 import numpy as np
 
 from eom.assembly.vectors import Array
-from eom.program.compiled import compiled_function, installed
+from eom.program.calls import Calls
+from eom.program.compiled import installed
 from eom.program.make import Program
 from eom.simulation import memory as of
-from eom.simulation.accepted import look
-from eom.simulation.advance import KEPT, advance
+from eom.simulation.advance import KEPT
 from eom.simulation.equations import Equations
+from eom.simulation.go import go
 from eom.simulation.signal_pieces import Driven
 from eom.simulation.stiffness import NUDGE
 
@@ -30,23 +31,18 @@ ROOM = 64
 class Engine:
     """A run that goes on; arrays as in `eom.simulation.memory` and `eom.simulation.advance`."""
 
-    call: Any
-    advance: Callable[..., int]
-    look: Callable[..., None]
+    calls: Calls
     settings: Array
     clock: Array
     counts: Any
-    margins: Array
     times: Array
-    columns: Any
     rows: Array
+    room: Array
     events: list[Array]
-    terminal: Any
     at: Any
     v: Array
     work: Array
     driven: Driven
-    implicit: tuple[Any, Any, Any]
 
     @property
     def time(self) -> float:
@@ -72,42 +68,25 @@ class Engine:
 
     def observe(self) -> None:
         """Set inputs and outputs to those at the instant, after jumps of the signals."""
-        driven = self.driven
-        self.look(self.call, self.time, self.at, self.v, self.work, driven.pieces, driven.signals)
+        self.called(looking=True)
 
     def go_on(self, until: float, pause: float, *, closed: bool) -> int:
         """Go on to an instant, or past a pause; says how it ended. A sample there is left for later if not *closed*."""
         while True:
-            room = np.zeros((room_of(self.margins.shape[1]), of.EVENT_STATE + len(self.state)))
             self.counts[of.EVENTS] = 0
-            driven = self.driven
-            with np.errstate(all="ignore"):
-                status = self.advance(
-                    self.call,
-                    until,
-                    pause,
-                    closed,
-                    self.settings,
-                    self.clock,
-                    self.counts,
-                    self.margins,
-                    self.times,
-                    self.columns,
-                    self.rows,
-                    room,
-                    self.terminal,
-                    self.at,
-                    self.v,
-                    self.work,
-                    driven.pieces,
-                    driven.signals,
-                    driven.stops,
-                    *self.implicit,
-                )
+            status = self.called(looking=False, until=until, pause=pause, closed=closed)
             if self.counts[of.EVENTS]:
-                self.events.append(room[: self.counts[of.EVENTS]].copy())
+                self.events.append(self.room[: self.counts[of.EVENTS]].copy())
             if status != of.FULL:
                 return status
+
+    def called(self, **arguments: float) -> int:
+        """Call the loops with other arguments."""
+        for name, value in arguments.items():
+            self.calls.set(name, value)
+        with np.errstate(all="ignore"):
+            self.calls((0,))
+        return int(self.calls.results[0])
 
 
 def engine(
@@ -126,26 +105,35 @@ def engine(
     work[:inputs] = driven.base
     work[inputs : inputs + len(parameters)] = parameters
     clock, v = beginning(equations, x, driven, settings[1])
-    fast = installed()
-    return Engine(
-        call=program.address if fast else python_call(program, parameters),
-        advance=compiled_function(advance) if fast else advance,
-        look=compiled_function(look) if fast else look,
-        settings=np.array(settings, dtype=float),
-        clock=clock,
-        counts=np.zeros(of.COUNTS, dtype=np.int64),
-        margins=np.zeros((3, limits)),
-        times=times,
-        columns=np.arange(n + inputs + outputs),
-        rows=np.zeros((len(times), n + inputs + outputs)),
-        events=[],
-        terminal=np.array([limit.ends for limit in equations.limits], dtype=bool),
-        at=at,
-        v=v,
-        work=work,
-        driven=driven,
-        implicit=(np.zeros((n, n)), np.zeros((n, n)), np.zeros(n, dtype=np.int64)),
-    )
+    own = {
+        "settings": np.array(settings, dtype=float),
+        "clock": clock,
+        "counts": np.zeros(of.COUNTS, dtype=np.int64),
+        "times": times,
+        "rows": np.zeros((len(times), n + inputs + outputs)),
+        "at": at,
+        "v": v,
+        "work": work,
+    }
+    room = np.zeros((room_of(limits), of.EVENT_STATE + n))
+    rest = {
+        "looking": False,
+        "program": program.address if installed() else python_call(program, parameters),
+        "until": 0.0,
+        "pause": 0.0,
+        "closed": False,
+        "margins": np.zeros((3, limits)),
+        "columns": np.arange(n + inputs + outputs),
+        "events": room,
+        "terminal": np.array([limit.ends for limit in equations.limits], dtype=bool),
+        "pieces": driven.pieces,
+        "signals": driven.signals,
+        "stops": driven.stops,
+        "jacobian": np.zeros((n, n)),
+        "factors": np.zeros((n, n)),
+        "pivots": np.zeros(n, dtype=np.int64),
+    }
+    return Engine(calls=Calls(go, 1, {**own, **rest}), room=room, events=[], driven=driven, **own)
 
 
 def places(program: Program, inputs: int) -> tuple[Any, int]:

@@ -10,13 +10,14 @@ from typing import Any
 import numpy as np
 
 from eom.assembly.vectors import Array
-from eom.program.compiled import compiled_function, installed
+from eom.program.calls import Calls, Each
+from eom.program.compiled import installed
 from eom.program.make import Program
 from eom.simulation import memory as of
 from eom.simulation.engine import beginning, places, python_call, room_of
 from eom.simulation.equations import Equations
+from eom.simulation.go import go
 from eom.simulation.lanes import Lanes
-from eom.simulation.many import advance_many, observe_many
 from eom.simulation.pieces import DEGREE, FIRST, INPUT, LAST
 from eom.simulation.report import sentence
 from eom.simulation.signal_pieces import Driven
@@ -28,7 +29,7 @@ AT_ONCE = 8
 
 @dataclass
 class Fleet:
-    """Runs that go on together, each for itself; arrays as in `eom.simulation.many`, cases first."""
+    """Runs that go on together, each for itself; arrays as in `eom.simulation.advance`, cases first."""
 
     program: Program
     parameters: Array
@@ -48,9 +49,9 @@ class Fleet:
     signals: Any
     stops: Array
     stops_first: Any
-    implicit: Array
-    pivots: Any
     status: Any
+    room: Array
+    calls: Calls
     inputs: Sequence[Driven]
     threads: int
 
@@ -73,66 +74,43 @@ class Fleet:
         """Go on with all cases that have not ended, until an instant [s] or the end of a case's inputs, or a pause."""
         until = np.minimum(instant, self.until)
         ends = closed | (self.until <= instant)
+        for name, value in {"looking": False, "until": Each(until), "pause": pause, "closed": Each(ends)}.items():
+            self.calls.set(name, value)
         while True:
             self.counts[:, of.EVENTS] = 0
-            room = np.zeros((len(self.clock), room_of(self.margins.shape[2]), of.EVENT_STATE + self.v.shape[2]))
             try:
-                self.some(functools.partial(self.advance, until=until, pause=pause, closed=ends, room=room))
+                self.some(functools.partial(self.advance, until=until, pause=pause, closed=ends))
             finally:
                 # also of what is interrupted
                 for c in np.flatnonzero(self.counts[:, of.EVENTS]):
-                    self.events[c].append(room[c, : self.counts[c, of.EVENTS]].copy())
+                    self.events[c].append(self.room[c, : self.counts[c, of.EVENTS]].copy())
             full = self.status == of.FULL
             if not np.any(full):
                 return
             self.status[full] = of.DONE
 
-    def advance(self, cases: Any, until: Array, pause: float, closed: Any, room: Array) -> None:
+    def advance(self, cases: Any, until: Array, pause: float, closed: Any) -> None:
         """Go on with some cases."""
-        if not installed() and int(self.settings[of.METHOD]) == of.RUNGE_KUTTA:
+        if self.in_lanes:
             with np.errstate(all="ignore"):
-                Lanes(self, cases).go_on(until, pause, closed, room)
+                Lanes(self, cases).go_on(until, pause, closed)
             return
-        arguments = (
-            until,
-            pause,
-            closed,
-            self.settings,
-            self.clock,
-            self.counts,
-            self.margins,
-            self.times,
-            self.columns,
-            self.rows,
-            room,
-            self.terminal,
-            self.at,
-            self.v,
-            self.work,
-            self.pieces,
-            self.signals,
-            self.stops,
-            self.stops_first,
-            self.implicit,
-            self.pivots,
-            self.status,
-        )
-        if installed():
-            compiled_function(advance_many)(self.program.address, cases, *arguments)
-            return
-        for c in cases:
-            advance_many(python_call(self.program, self.parameters[:, c]), [c], *arguments)
+        going = cases[(self.status[cases] == of.DONE) & (self.clock[cases, of.TIME] < until[cases])]
+        with np.errstate(all="ignore"):
+            self.calls(going)
+        self.status[going] = self.calls.results[going]
 
     def observe(self) -> Array:
         """Outputs, inputs and states of all cases at their instants, (signals, cases)."""
         if not installed():
             with np.errstate(all="ignore"):
                 return Lanes(self, np.arange(len(self.clock))).observe()
-        n, outputs, inputs = (int(self.at[k]) for k in (of.STATES, of.OUTPUTS, of.INPUTS))
-        seen = np.empty((outputs + inputs + n, len(self.clock)))
-        rest = self.clock, self.at, self.v, self.work, self.pieces, self.signals, seen
-        self.some(lambda cases: compiled_function(observe_many)(self.program.address, cases, *rest))
-        return seen
+        n, limits, inputs, outputs, first, _, _, results = map(int, self.at)
+        self.calls.set("looking", value=True)
+        self.some(self.calls)
+        begin = results + n + limits
+        every = self.work[:, begin : begin + outputs], self.work[:, first : first + inputs], self.v[:, of.X]
+        return np.concatenate(every, axis=1).T
 
     def ended(self, case: int, limits: tuple[Limit, ...]) -> str:
         """Why a case ended before its time, a sentence; empty if it did not."""
@@ -140,6 +118,11 @@ class Fleet:
         if status != of.DONE:
             return sentence(status, self.clock[case], self.settings, self.events[case], limits)
         return self.inputs[case].why if at >= self.inputs[case].until else ""
+
+    @property
+    def in_lanes(self) -> bool:
+        """Whether all cases go on side by side in NumPy."""
+        return not installed() and int(self.settings[of.METHOD]) == of.RUNGE_KUTTA
 
     def some(self, task: Callable[[Any], None]) -> None:
         """Do a task with all cases, some at a time in threads; how many makes no difference to any case."""
@@ -171,31 +154,52 @@ def fleet(
     work[:, m : m + len(parameters)] = parameters.T
     pieces, signals = joined_signals(inputs)
     begun = begun_each(equations, parameters, starts, inputs, settings[1])
+    own: dict[str, Any] = {
+        "settings": np.array(settings, dtype=float),
+        "times": times,
+        "columns": columns,
+        "terminal": np.array([limit.ends for limit in equations.limits], dtype=bool),
+        "at": at,
+        "pieces": pieces,
+    }
+    each: dict[str, Any] = {
+        "clock": np.array([clock for clock, _ in begun]),
+        "counts": np.zeros((cases, of.COUNTS), dtype=np.int64),
+        "margins": np.zeros((cases, 3, limits)),
+        "rows": np.full((cases, len(times), len(columns)), np.nan),
+        "v": np.array([v for _, v in begun]),
+        "work": work,
+        "signals": signals,
+    }
+    room = np.zeros((cases, room_of(limits), of.EVENT_STATE + n))
+    stops = [item.stops for item in inputs]
+    alone: dict[str, Any] = {
+        "events": room,
+        "jacobian": np.zeros((cases, n, n)),
+        "factors": np.zeros((cases, n, n)),
+        "pivots": np.zeros((cases, n), dtype=np.int64),
+        "stops": stops,
+    }
+    rest = {"looking": False, "until": 0.0, "pause": 0.0, "closed": False, "program": called(program, parameters)}
     return Fleet(
         program=program,
         parameters=parameters,
-        settings=np.array(settings, dtype=float),
-        clock=np.array([clock for clock, _ in begun]),
-        counts=np.zeros((cases, of.COUNTS), dtype=np.int64),
-        margins=np.zeros((cases, 3, limits)),
-        times=times,
-        columns=columns,
-        rows=np.full((cases, len(times), len(columns)), np.nan),
         events=[[] for _ in range(cases)],
-        terminal=np.array([limit.ends for limit in equations.limits], dtype=bool),
-        at=at,
-        v=np.array([v for _, v in begun]),
-        work=work,
-        pieces=pieces,
-        signals=signals,
-        stops=np.concatenate([item.stops for item in inputs]),
-        stops_first=np.cumsum([0, *(len(item.stops) for item in inputs)]),
-        implicit=np.zeros((cases, 2, n, n)),
-        pivots=np.zeros((cases, n), dtype=np.int64),
+        stops=np.concatenate(stops),
+        stops_first=np.cumsum([0, *map(len, stops)]),
         status=np.zeros(cases, dtype=np.int64),
         inputs=inputs,
         threads=threads or os.cpu_count() or 1,
+        room=room,
+        calls=Calls(go, cases, {**own, **rest, **{name: Each(item) for name, item in {**each, **alone}.items()}}),
+        **own,
+        **each,
     )
+
+
+def called(program: Program, parameters: Array) -> Any:
+    """What the loops call for the results of a program, one for all cases or `Each`."""
+    return program.address if installed() else Each([python_call(program, own) for own in parameters.T])
 
 
 def begun_each(

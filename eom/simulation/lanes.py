@@ -92,8 +92,9 @@ class Lanes:
         ratio = change / (self.size + self.growing * np.abs(self.x))
         return np.asarray(np.sqrt(np.mean(ratio * ratio, axis=0)))
 
-    def go_on(self, until: Array, pause: float, closed: Any, room: Array) -> None:
+    def go_on(self, until: Array, pause: float, closed: Any) -> None:
         """Go on to instants [s], one for every case of the fleet, or past a pause."""
+        room = self.fleet.room
         until, pausing, closed = until[self.cases], np.minimum(until[self.cases], pause), closed[self.cases]
         self.find_stops()
         active = (self.status == of.DONE) & (self.time < pausing)

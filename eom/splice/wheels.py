@@ -79,7 +79,7 @@ def wheel_loads(at: Motion, supports: Any, p: Model) -> tuple[Any, Any]:
     return load, excess
 
 
-def turned_by(share: Any, drive: Any, pressed: Any, omega: Any, radius: Any) -> tuple[Any]:
+def wheel_torque(share: Any, drive: Any, pressed: Any, omega: Any, radius: Any) -> tuple[Any]:
     """Torque on a wheel [N m]: its share of the drive's, less a brake's, which resists rotation and pulls at none."""
     return (share * drive - maximum(pressed, 0.0) * rolling_sense(omega * radius, CREEP),)
 
@@ -89,7 +89,7 @@ def torques(state: State, u: Any, slip: Rolling, p: Model) -> Any:
     control, omega = p.control, slip.omega
     drive = state.drive[0] if control.drive_lag > 0.0 else control.demand @ u
     pressed = state.brake if control.brake_lag > 0.0 else control.brake @ u
-    (found,) = over_lanes(turned_by, None, [control.drive, drive + 0.0 * omega, pressed, omega, p.contact.radius])
+    (found,) = over_lanes(wheel_torque, None, [control.drive, drive + 0.0 * omega, pressed, omega, p.contact.radius])
     return found
 
 

@@ -3,15 +3,14 @@
 import hashlib
 import inspect
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from eom.program.compiled import without_compiler
 from eom.program.make import ready
 from eom.simulation import memory as of
-from eom.simulation.advance import advance
 from eom.simulation.engine import Engine, engine
 from eom.simulation.equations import Equations
 from eom.simulation.inputs import Input
@@ -65,8 +64,12 @@ def problem(
     signals = driven(
         {name: told(item, name, float(times[-1])) for name, item in inputs.items()}, names, np.zeros(len(names))
     )
-    found = engine(equations, start, signals, np.array(times, dtype=float), settings)
-    return found if compiled else replace(found, call=python_program(equation), advance=advance)
+    if compiled:
+        return engine(equations, start, signals, np.array(times, dtype=float), settings)
+    with without_compiler():
+        found = engine(equations, start, signals, np.array(times, dtype=float), settings)
+    found.calls.set("program", python_program(equation))
+    return found
 
 
 def states(found: Engine) -> Array:

@@ -12,7 +12,7 @@ from eom.driver.speed_keeping import SpeedKeeping
 from eom.errors import SimulationError
 from eom.model.linear import linearise
 from eom.model.tyre import TyreModel, build_tyre_model
-from eom.program import compiled, make
+from eom.program import calls, compiled, make
 from eom.simulation import Block, Event, Run, Sensor, Sine, Steps, Table, engine, fleet, report, simulate
 from eom.simulation.batch import Case, simulate_many
 from eom.simulation.inputs import Input
@@ -51,7 +51,7 @@ def _goes_on(monkeypatch: pytest.MonkeyPatch) -> None:
 def no_compiler() -> Iterator[None]:
     """Numba is not found by any module that asks for it."""
     with pytest.MonkeyPatch.context() as patch:
-        for module in (compiled, make, engine, fleet, report):
+        for module in (calls, compiled, make, engine, fleet, report):
             patch.setattr(module, "installed", lambda: False)
         patch.setattr(make, "MADE", {})
         yield

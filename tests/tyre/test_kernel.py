@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from eom.errors import TyreError
+from eom.program.compiled import without_compiler
 from eom.tyre import (
     Dugoff,
     Linear,
@@ -142,9 +143,8 @@ def test_tyres_of_both_sides_and_any_range_make_a_stack() -> None:
     assert both.Fy == pytest.approx([left.forces(0.02, 0.0, LOAD).Fy, -right.forces(-0.02, 0.0, LOAD).Fy], rel=1e-12)
 
 
-def test_without_numba_the_extra_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(__import__("sys").modules, "numba", None)
-    with pytest.raises(TyreError, match=r"compiled tyres need numba: install eom-vehicle\[fast\]"):
+def test_without_numba_the_extra_is_named() -> None:
+    with without_compiler(), pytest.raises(TyreError, match=r"compiled tyres need numba: install eom-vehicle\[fast\]"):
         compile_forces(sets(1)["linear"][0])
 
 

@@ -1,0 +1,101 @@
+"""Calls of a plain function for many cases, as machine code where there is a compiler."""
+
+import ctypes
+import inspect
+import itertools
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from eom.program.cache import key
+from eom.program.compiled import installed
+from eom.program.loop_text import Kind, kind_of, loop_text
+from eom.program.object_code import address
+
+POINTER, WHOLE = ctypes.c_void_p, ctypes.c_int64
+CALL = ctypes.CFUNCTYPE(ctypes.c_int32, POINTER, POINTER, WHOLE, POINTER, POINTER, WHOLE, POINTER, WHOLE, POINTER)
+"""How the machine code of `eom.program.loop_text.loop_text` is called."""
+
+
+class Each(NamedTuple):
+    """An argument that is another one in each case."""
+
+    values: Any
+
+
+class Calls:
+    """A plain function with its arguments in each case: numbers, and arrays that it changes in place.
+
+    Attributes
+    ----------
+    results : NDArray
+        Whole numbers that the function gave last in each case, (cases,).
+    """
+
+    def __init__(self, function: Callable[..., int], cases: int, arguments: Mapping[str, Any]) -> None:
+        self.function, self.arguments = function, dict(arguments)
+        self.results = np.zeros(cases, dtype=np.int64)
+        self.compiled = installed()
+        if not self.compiled:
+            return
+        names = list(inspect.signature(function).parameters)
+        kinds = [kind_of(one(self.arguments[name], 0)) for name in names]
+        self.kinds = dict(zip(names, kinds, strict=True))
+        self.places = dict(zip(names, itertools.accumulate((kind.width for kind in kinds), initial=0), strict=False))
+        self.columns = dict(zip(names, itertools.accumulate((kind == REAL for kind in kinds), initial=0), strict=False))
+        self.table = np.zeros((cases, sum(kind.width for kind in kinds)), dtype=np.int64)
+        self.numbers = np.zeros((cases, kinds.count(REAL)))
+        self.ignored = np.zeros(2, dtype=np.int64)
+        text = f"{function.__module__}.{function.__name__} {kinds}"
+        self.entry = CALL(address(f"loop_{key(text)}", lambda: loop_text(function, kinds)))
+        place = place_of(self.ignored)
+        self.before = place, place + 8
+        self.after = place_of(self.table), self.table.shape[1], place_of(self.numbers), self.numbers.shape[1]
+        for name in names:
+            self.set(name, self.arguments[name])
+
+    def set(self, name: str, value: Any) -> None:
+        """Give an argument another value, one for all cases or `Each`."""
+        self.arguments[name] = value
+        if not self.compiled:
+            return
+        kind, place = self.kinds[name], self.places[name]
+        if kind.axes:
+            many = value.values if isinstance(value, Each) else [value]
+            self.table[:, place : place + kind.width] = [address_and_shape(item, kind) for item in many]
+        elif kind == REAL:
+            self.numbers[:, self.columns[name]] = value.values if isinstance(value, Each) else value
+        else:
+            self.table[:, place] = value.values if isinstance(value, Each) else value
+
+    def __call__(self, cases: Any) -> None:
+        """Call it for some cases."""
+        if self.compiled:
+            which = np.ascontiguousarray(cases, dtype=np.int64)
+            self.entry(*self.before, len(which), place_of(which), *self.after, place_of(self.results))
+            return
+        for case in cases:
+            own = {name: one(value, case) for name, value in self.arguments.items()}
+            self.results[case] = self.function(**own)
+
+
+REAL = Kind("f", 0)
+
+
+def one(value: Any, case: int) -> Any:
+    """The value of an argument in a case."""
+    return value.values[case] if isinstance(value, Each) else value
+
+
+def address_and_shape(array: Any, kind: Kind) -> tuple[int, ...]:
+    """Of an array of a kind whose elements stand one after the other."""
+    if kind_of(array) != kind or not array.flags.c_contiguous:
+        raise ValueError(f"an array of another kind than {kind}")
+    return (place_of(array), *array.shape)
+
+
+def place_of(array: Any) -> int:
+    """Address of the elements of an array."""
+    address_: int = array.__array_interface__["data"][0]
+    return address_
