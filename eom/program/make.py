@@ -13,7 +13,7 @@ import numpy as np
 from eom.assembly.vectors import Array
 from eom.program.compiled import compiled_program, installed, kept_plan
 from eom.program.numbers import Numbers, gathered
-from eom.program.plain import Plain, compiled_text, plain
+from eom.program.plain import Plain, arrays_code, numbers_code, of_arrays, of_numbers
 from eom.program.plan import Plan, planned, traced
 
 CALL = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 5, ctypes.c_int64)
@@ -40,13 +40,22 @@ class Program:
         return compiled_program(self.signature, self.plan)
 
     @functools.cached_property
-    def code(self) -> CodeType:
-        """The plan as Python's code."""
-        return compiled_text(self.plan)
+    def numbers_code(self) -> CodeType:
+        """The plan as Python's code for numbers."""
+        return numbers_code(self.plan)
 
-    def plain(self, parameters: Array) -> Plain:
-        """The same in plain Python for one case, (parameters,), or in NumPy for many at once, (parameters, cases)."""
-        return plain(self.plan, self.code, parameters)
+    @functools.cached_property
+    def arrays_code(self) -> tuple[CodeType, int]:
+        """The plan as Python's code for arrays over cases."""
+        return arrays_code(self.plan)
+
+    def of_numbers(self, parameters: Array) -> Plain:
+        """The same in plain Python for one case, (parameters,)."""
+        return of_numbers(self.plan, self.numbers_code, parameters)
+
+    def of_arrays(self, parameters: Array) -> Plain:
+        """The same in NumPy for many cases at once, (parameters, cases)."""
+        return of_arrays(self.plan, self.arrays_code, parameters)
 
 
 class Ready(NamedTuple):
@@ -60,7 +69,7 @@ class Ready(NamedTuple):
         plan = self.program.plan
         if not installed():
             with np.errstate(all="ignore"):
-                return self.program.plain(self.parameters)(x.tolist(), u.tolist(), level)
+                return self.program.of_numbers(self.parameters)(x.tolist(), u.tolist(), level)
         out, scratch = np.empty(sum(map(len, plan.roots))), np.ones(plan.scratch)
         arrays = (
             np.ascontiguousarray(x, dtype=float),

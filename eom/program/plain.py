@@ -9,9 +9,10 @@ from typing import Any
 import numpy as np
 
 from eom.assembly.vectors import Array
+from eom.program.lane_text import INTO, row_count
 from eom.program.plan import Launch, Plan
 from eom.program.tape import VALUES, Op
-from eom.program.text import INTO, launches, program_text, row_count
+from eom.program.text import ArraysText, NumbersText, launches
 
 Plain = Callable[[Any, Any, int], Array]
 """Results of levels up to one, of states and inputs: lists of numbers, or arrays whose last axis is that of cases."""
@@ -22,12 +23,6 @@ def divided(a: float, b: float) -> float:
     if b != 0.0:
         return a / b
     return math.nan if a == 0.0 or a != a else math.copysign(math.inf, a) * math.copysign(1.0, b)  # noqa: PLR0124
-
-
-def fill(rows: Array, values: Sequence[Any]) -> None:
-    """Set rows to numbers or arrays."""
-    for row, value in zip(rows, values, strict=True):
-        row[...] = value
 
 
 NUMBERS: dict[str, Any] = {
@@ -46,18 +41,19 @@ NUMBERS: dict[str, Any] = {
     "COPYSIGN": math.copysign,
     "LESS": lambda a, b: float(a < b),
     "CHOOSE": lambda test, then, other: then if test != 0.0 else other,
-    "rows": lambda x: x,
     "fill": lambda row, values: row.__setitem__(slice(None), values),
     "told": lambda rows: [row.tolist() for row in rows],
 }
 """Operations on numbers; rows over lanes are told as lists, which Python's numbers are faster from."""
-ARRAYS: dict[str, Any] = {
-    **{op.name: function for op, function in VALUES.items()},
-    "rows": list,
-    "fill": fill,
-    "told": lambda rows: rows,
-}
-WRITING: dict[Op, Any] = {
+
+
+def fill(rows: Array, values: Sequence[Any]) -> None:
+    """Set rows to numbers or arrays."""
+    for row, value in zip(rows, values, strict=True):
+        row[...] = value
+
+
+ARRAYS: dict[Op, Any] = {
     **VALUES,
     Op.ADD: np.add,
     Op.SUB: np.subtract,
@@ -65,21 +61,58 @@ WRITING: dict[Op, Any] = {
     Op.DIV: np.divide,
     Op.NEG: np.negative,
     Op.LESS: np.less,
+    Op.MAX: lambda a, b, out: np.maximum(a, b, out=out),
+    Op.MIN: lambda a, b, out: np.minimum(a, b, out=out),
     Op.CHOOSE: lambda test, then, other, out: np.copyto(out, np.where(test != 0.0, then, other)),
 }
-"""Operations on arrays that write to one."""
-OVER_LANES = {**{op.name + INTO: function for op, function in WRITING.items()}, "INFINITE": math.inf}
+"""Operations on arrays that write to the last one given."""
+COMMON = {
+    **{op.name + INTO: function for op, function in ARRAYS.items()},
+    "INFINITE": math.inf,
+    "fill": fill,
+    "told": lambda rows: rows,
+}
 
 
-def compiled_text(plan: Plan) -> CodeType:
-    """The plan as Python's code."""
-    return compile(program_text(plan), "<program>", "exec")
+def numbers_code(plan: Plan) -> CodeType:
+    """The plan as Python's code for numbers."""
+    return compile(NumbersText(plan).whole(), "<program>", "exec")
 
 
-def plain(plan: Plan, code: CodeType, parameters: Array) -> Plain:
-    """The program of one case, whose parameters are (parameters,), or of many, (parameters, cases).
+def arrays_code(plan: Plan) -> tuple[CodeType, int]:
+    """The plan as Python's code for arrays, and how many rows it needs for what is between."""
+    text = ArraysText(plan)
+    return compile(text.whole(), "<program>", "exec"), text.names.made
 
-    Rows over lanes are made once: memory that comes and goes costs more time than what NumPy computes in it.
+
+def of_numbers(plan: Plan, code: CodeType, parameters: Array) -> Plain:
+    """The program of one case, (parameters,)."""
+    program = bound(code, {**COMMON, **NUMBERS})
+    calls, own = rows_of_calls(plan, parameters), parameters.tolist()
+    return lambda x, u, level: np.array(program(own, calls, (), x, u, level))
+
+
+def of_arrays(plan: Plan, code: tuple[CodeType, int], parameters: Array) -> Plain:
+    """The program of many cases, (parameters, cases)."""
+    cases, ends = parameters.shape[1], np.cumsum([len(group) for group in plan.roots])
+    program = bound(code[0], {**COMMON, "empty": lambda level: np.empty((ends[level], cases))})
+    # what is the same in all cases need not be read for each of them
+    same = np.all(parameters == parameters[:, :1], axis=1)
+    own = [np.array(row[0]) if one else row for row, one in zip(parameters, same, strict=True)]
+    return functools.partial(program, own, rows_of_calls(plan, parameters), list(np.empty((code[1], cases))))
+
+
+def bound(code: CodeType, names: dict[str, Any]) -> Any:
+    """The function of a text, with meanings for the names in it."""
+    space = dict(names)
+    exec(code, space)  # noqa: S102  our own text, made of a tape
+    return space["program"]
+
+
+def rows_of_calls(plan: Plan, parameters: Array) -> list[tuple[Any, ...]]:
+    """For each launch rows over lanes: of coefficients, for arguments, for results, and for what is between.
+
+    They are made once: memory that comes and goes costs more time than what NumPy computes in it.
     """
     own, cases = launches(plan), parameters.shape[1:]
     wide = max((len(launch.lanes) for launch in own), default=0)
@@ -91,23 +124,13 @@ def plain(plan: Plan, code: CodeType, parameters: Array) -> Plain:
         lanes = len(launch.lanes)
         rows = list(memory[:, :lanes])
         results = np.empty((launch.call.rows, lanes, *cases))
-        calls.append((coefficients(launch, parameters), rows[:filled], results, rows[filled:]))
-    space = {**(ARRAYS if cases else NUMBERS), **OVER_LANES, "whole": functools.partial(whole, cases=cases)}
-    exec(code, space)  # noqa: S102  our own text, made of a tape
-    return functools.partial(space["program"], list(parameters) if cases else parameters.tolist(), calls)
-
-
-def whole(rows: Sequence[Any], cases: tuple[int, ...]) -> Array:
-    """Rows as one array."""
-    if not cases:
-        return np.array(rows)
-    result = np.empty((len(rows), *cases))
-    fill(result, rows)
-    return result
+        calls.append((list(coefficients(launch, parameters)), rows[:filled], results, rows[filled:]))
+    return calls
 
 
 def coefficients(launch: Launch, parameters: Array) -> Array:
-    """Coefficients of a launch, (rows, lanes) or (rows, lanes, cases)."""
+    """Coefficients of a launch, (rows, lanes) or (rows, lanes, cases); one case stands for all if they are the same."""
     end = launch.coefficients + launch.stride * len(launch.call.coefficients)
     rows = parameters[launch.coefficients : end].reshape(-1, launch.stride, *parameters.shape[1:])
-    return rows[:, : len(launch.lanes)]
+    own = rows[:, : len(launch.lanes)]
+    return own[..., :1] if own.ndim > 2 and np.all(own == own[..., :1]) else own

@@ -1,19 +1,18 @@
-"""A plan as the text of a Python function."""
+"""A plan as the text of a Python function, of numbers or of arrays over cases."""
 
 import itertools
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
-from eom.program.call import Lane
+from eom.program.lane_text import INTO, lane_lines, number
+from eom.program.names import Names
 from eom.program.plan import Launch, Plan, needs
 from eom.program.tape import LEAVES, Op, Tape
 
 SIGNS = {Op.ADD: "({} + {})", Op.SUB: "({} - {})", Op.MUL: "({} * {})", Op.NEG: "(-{})"}
 DEEP = 6
 """Nesting of expressions; names are given to what is used more than once or nested deeper."""
-INTO = "_TO"
-"""Follows the names of operations on rows over lanes that write to a given one."""
 
 
 class Statement(NamedTuple):
@@ -30,122 +29,51 @@ def launches(plan: Plan) -> list[Launch]:
     return [launch for stage in plan.launches for launch in stage]
 
 
-def program_text(plan: Plan) -> str:
-    """The text of ``program(p, calls, x, u, level)`` and of the functions over lanes that it calls.
+class Text:
+    """The text of ``program(p, calls, w, x, u, level)`` and of the functions over lanes that it calls.
 
-    It takes parameters; rows of each call, see `lane_lines`; states and inputs.
-    """
-    calls = (lane_lines(k, launch.call.lane) for k, launch in enumerate(launches(plan)))
-    return "\n".join((*itertools.chain(*calls), *Program(plan).lines()))
-
-
-def written(op: int, parts: Sequence[str]) -> str:
-    """An operation."""
-    return SIGNS[Op(op)].format(*parts) if op in SIGNS else f"{Op(op).name}({', '.join(parts)})"
-
-
-def number(value: float) -> str:
-    """A constant."""
-    return f"({value!r})".replace("inf", "INFINITE")
-
-
-def lane_lines(number_: int, lane: Lane) -> Iterator[str]:
-    """The function of a call over lanes: of rows of coefficients c and arguments a; results are written to rows r.
-
-    What is between is written to rows w, of which it needs as many as `row_count` says.
-    """
-    yield f"def call_{number_}(c, a, r, w):"
-    inner = [place for place, (op, *_) in enumerate(lane.ops) if op not in LEAVES]
-    names = lane_names(lane)
-
-    def of(place: int) -> str:
-        op, *args = lane.ops[place]
-        if op == Op.CONST:
-            return number(lane.constants[args[0]])
-        return f"{'c' if op == Op.PARAMETER else 'a'}[{args[0]}]" if op in LEAVES else names.of[place]
-
-    for place in inner:
-        op, *args = lane.ops[place]
-        parts = [of(arg) for arg in args]
-        yield f"    {Op(op).name}{INTO}({', '.join(parts)}, out={names.given(place)})"
-    for row, place in enumerate(lane.roots):
-        if of(place) != f"r[{row}]":
-            yield f"    r[{row}][...] = {of(place)}"
-
-
-def lane_names(lane: Lane) -> "Names":
-    """The rows to which values in lanes are written."""
-    inner = [place for place, (op, *_) in enumerate(lane.ops) if op not in LEAVES]
-    results = {place: f"r[{row}]" for row, place in reversed(list(enumerate(lane.roots))) if place in inner}
-    return Names(((place, lane.ops[place][1:]) for place in inner), "w[{}]", results)
-
-
-def row_count(lane: Lane) -> int:
-    """How many rows the function of a lane needs for what is between arguments and results."""
-    names = lane_names(lane)
-    for place, (op, *_) in enumerate(lane.ops):
-        if op not in LEAVES:
-            names.given(place)
-    return names.made
-
-
-class Names:
-    """Names of values; one that is not used any more is given to another, so that its memory is used again soon.
-
-    Made of statements: the place of the value, if it is one, and those that it takes. Values may have names of their
-    own.
+    It takes parameters; rows of each call, see `lane_lines`; rows for what is between; states and inputs. This is what
+    numbers and arrays have in common.
     """
 
-    def __init__(
-        self, statements: Iterable[tuple[int | None, Iterable[int]]], form: str, own: Mapping[int, str]
-    ) -> None:
-        self.form, self.own, self.made = form, own, 0
-        self.of: dict[int, str] = {}
-        self.free: list[str] = []
-        last: dict[int, int] = {}
-        self.order: dict[int, int] = {}
-        for k, (place, takes) in enumerate(statements):
-            last.update(dict.fromkeys(takes, k))
-            if place is not None:
-                self.order[place] = k
-        self.ends: dict[int, list[int]] = {}
-        for place, k in last.items():
-            if place in self.order and place not in own:
-                self.ends.setdefault(k, []).append(place)
-        self.done = 0
-
-    def given(self, place: int) -> str:
-        """The name of a value whose statement is next; it may be that of a value which the statement takes."""
-        for k in range(self.done, self.order[place] + 1):
-            self.free += [self.of[old] for old in self.ends.get(k, ())]
-        self.done = self.order[place] + 1
-        if place in self.own:
-            self.of[place] = self.own[place]
-        elif self.free:
-            self.of[place] = self.free.pop()
-        else:
-            self.of[place] = self.form.format(self.made)
-            self.made += 1
-        return self.of[place]
-
-
-class Program:
-    """The text of a plan's function."""
+    inlined: frozenset[int] = frozenset()
+    """Places that are written where they are used."""
 
     def __init__(self, plan: Plan) -> None:
         self.plan, self.tape = plan, plan.tape
         self.launches = launches(plan)
         self.parameter = {place: k for k, place in reversed(list(enumerate(plan.parameters)))}
         self.result = {pair: (k, lane) for k, item in enumerate(self.launches) for lane, pair in enumerate(item.lanes)}
-        self.inlined = inlined(plan)
+        self.roots = list(itertools.chain(*plan.roots))
         self.statements = list(self.all_statements())
-        roots = {place: f"r{place}" for group in plan.roots for place in self.taken(group)}
-        self.names = Names(((item.place, item.takes) for item in self.statements), "v{}", roots)
+        # results are taken at the end
+        order = [*((item.place, item.takes) for item in self.statements), (None, tuple(self.taken(self.roots)))]
+        self.names = Names(order, "v{}", self.own_names())
 
-    def lines(self) -> Iterator[str]:
-        """All lines."""
-        yield "def program(p, calls, x, u, level):"
-        yield "    x, u = rows(x), rows(u)"
+    def own_names(self) -> dict[int, str]:
+        """Names of values that are not as others."""
+        return {}
+
+    def assigned(self, place: int) -> str:
+        """The statement that computes a value."""
+        raise NotImplementedError
+
+    def beginning(self) -> Iterator[str]:
+        """What comes before all statements, asked for when these are written."""
+        raise NotImplementedError
+
+    def end(self) -> Iterator[str]:
+        """What comes after all statements."""
+        raise NotImplementedError
+
+    def whole(self) -> str:
+        """All of it."""
+        calls = (lane_lines(k, launch.call.lane) for k, launch in enumerate(self.launches))
+        body = list(self.body())
+        return "\n".join((*itertools.chain(*calls), "def program(p, calls, w, x, u, level):", *self.beginning(), *body))
+
+    def body(self) -> Iterator[str]:
+        """The statements and what comes after them."""
         level = 0
         for item in self.statements:
             indent = "    " * (1 + (item.level > 0))
@@ -155,13 +83,8 @@ class Program:
             if item.place is None:
                 yield from (indent + line for line in self.called(item.launch))
             else:
-                text = self.of(item.place, whole=True)
-                yield f"{indent}{self.names.given(item.place)} = {text}"
-        yield "    out = []"
-        for level, group in enumerate(self.plan.roots):
-            yield f"    if level >= {level}:"
-            yield f"        out += [{', '.join(map(self.of, group))}]"
-        yield "    return whole(out)"
+                yield indent + self.assigned(item.place)
+        yield from self.end()
 
     def all_statements(self) -> Iterator[Statement]:
         """All statements in order."""
@@ -192,12 +115,12 @@ class Program:
     def called(self, count: int) -> Iterator[str]:
         """The lines of a launch: its rows over lanes, and the same to take single ones from."""
         launch = self.launches[count]
-        yield f"c, a, r{count}, w = calls[{count}]"
+        yield f"c, a, r{count}, rows = calls[{count}]"
         rows = [self.whole_row(place) for place in launch.arguments]
         for k, row in enumerate(launch.filled):
             yield f"fill(a[{k}], [{', '.join(map(self.of, self.row(launch, row)))}])"
             rows[row] = f"a[{k}]"
-        yield f"call_{count}(c, [{', '.join(rows)}], r{count}, w)"
+        yield f"call_{count}(c, [{', '.join(rows)}], r{count}, rows)"
         yield f"s{count} = told(r{count})"
 
     def whole_row(self, place: int) -> str:
@@ -208,7 +131,7 @@ class Program:
                 return f"r{k}[{row}]"
         return ""
 
-    def of(self, place: int, *, whole: bool = False) -> str:
+    def of(self, place: int) -> str:
         """The text of a place: its name, or what is behind it."""
         op, *args = self.tape.ops[place]
         if op == Op.CONST:
@@ -220,12 +143,78 @@ class Program:
         if op == Op.LANE:
             launch, lane = self.result[args[0], args[2]]
             return f"s{launch}[{args[1]}][{lane}]"
-        if not whole and place not in self.inlined:
+        if place not in self.inlined:
             return self.names.of[place]
-        return written(op, [self.of(arg) for arg in args])
+        return self.written(place)
+
+    def written(self, place: int) -> str:
+        """An operation."""
+        op, *args = self.tape.ops[place]
+        parts = [self.of(arg) for arg in args]
+        return SIGNS[Op(op)].format(*parts) if op in SIGNS else f"{Op(op).name}({', '.join(parts)})"
 
 
-def inlined(plan: Plan) -> set[int]:
+class NumbersText(Text):
+    """For numbers: nested expressions; the result is a list."""
+
+    def __init__(self, plan: Plan) -> None:
+        self.inlined = inlined(plan)
+        super().__init__(plan)
+
+    def assigned(self, place: int) -> str:
+        """The statement that computes a value."""
+        text = self.written(place)
+        return f"{self.names.given(place)} = {text}"
+
+    def beginning(self) -> Iterator[str]:
+        """Nothing."""
+        return iter(())
+
+    def end(self) -> Iterator[str]:
+        """The results are listed."""
+        yield "    out = []"
+        for level, group in enumerate(self.plan.roots):
+            yield f"    if level >= {level}:"
+            yield f"        out += [{', '.join(map(self.of, group))}]"
+        yield "    return out"
+
+
+class ArraysText(Text):
+    """For arrays over cases: every operation writes to a row of memory; the result is a new array."""
+
+    def own_names(self) -> dict[int, str]:
+        """Rows of the result, of values that the level of theirs needs first."""
+        levels = {item.place: item.level for item in self.statements}
+        rows = [(level, place) for level, group in enumerate(self.plan.roots) for place in group]
+        return {place: f"out[{k}]" for k, (level, place) in enumerate(rows) if levels.get(place) == level}
+
+    def assigned(self, place: int) -> str:
+        """The statement that computes a value."""
+        op, *args = self.tape.ops[place]
+        parts = [self.of(arg) for arg in args]
+        return f"{Op(op).name}{INTO}({', '.join((*parts, self.names.given(place)))})"
+
+    def beginning(self) -> Iterator[str]:
+        """Arrays are taken apart."""
+        yield "    x, u, whole = list(x), list(u), empty(level)"
+        yield "    out = list(whole)"
+        if self.names.made:
+            yield f"    {', '.join(f'v{k}' for k in range(self.names.made))}, = w"
+
+    def end(self) -> Iterator[str]:
+        """Results are filled in that are not in their place already."""
+        first = 0
+        for level, group in enumerate(self.plan.roots):
+            yield f"    if level >= {level}:"
+            yield "        pass"
+            for k, place in enumerate(group, first):
+                if self.of(place) != f"out[{k}]":
+                    yield f"        out[{k}][...] = {self.of(place)}"
+            first += len(group)
+        yield "    return whole"
+
+
+def inlined(plan: Plan) -> frozenset[int]:
     """Places that are written where they are used: once, and soon."""
     tape: Tape = plan.tape
     where = {place: (s, k) for s, groups in enumerate(plan.stages) for k, group in enumerate(groups) for place in group}
@@ -241,4 +230,4 @@ def inlined(plan: Plan) -> set[int]:
         once = uses[place] == 1 and place not in kept and where.get(user[place]) == where[place]
         if once and depth[place] < DEEP:
             found.add(place)
-    return found
+    return frozenset(found)

@@ -13,6 +13,7 @@ from eom.assembly.vectors import Array
 from eom.program.calls import Calls, Each
 from eom.program.compiled import installed
 from eom.program.make import Program
+from eom.program.plain import Plain
 from eom.simulation import memory as of
 from eom.simulation.engine import beginning, places, python_call, room_of
 from eom.simulation.equations import Equations
@@ -93,7 +94,7 @@ class Fleet:
         """Go on with some cases."""
         if self.in_lanes:
             with np.errstate(all="ignore"):
-                Lanes(self, cases).go_on(until, pause, closed)
+                Lanes(self).go_on(until, pause, closed)
             return
         going = cases[(self.status[cases] == of.DONE) & (self.clock[cases, of.TIME] < until[cases])]
         with np.errstate(all="ignore"):
@@ -104,7 +105,7 @@ class Fleet:
         """Outputs, inputs and states of all cases at their instants, (signals, cases)."""
         if not installed():
             with np.errstate(all="ignore"):
-                return Lanes(self, np.arange(len(self.clock))).observe()
+                return Lanes(self).observe()
         n, limits, inputs, outputs, first, _, _, results = map(int, self.at)
         self.calls.set("looking", value=True)
         self.some(self.calls)
@@ -118,6 +119,11 @@ class Fleet:
         if status != of.DONE:
             return sentence(status, self.clock[case], self.settings, self.events[case], limits)
         return self.inputs[case].why if at >= self.inputs[case].until else ""
+
+    @functools.cached_property
+    def over_cases(self) -> Plain:
+        """The program for all cases at once in NumPy."""
+        return self.program.of_arrays(self.parameters)
 
     @property
     def in_lanes(self) -> bool:
@@ -180,7 +186,8 @@ def fleet(
         "pivots": np.zeros((cases, n), dtype=np.int64),
         "stops": stops,
     }
-    rest = {"looking": False, "until": 0.0, "pause": 0.0, "closed": False, "program": called(program, parameters)}
+    program_of = program.address if installed() else Each(Called(program, parameters))
+    rest = {"looking": False, "until": 0.0, "pause": 0.0, "closed": False, "program": program_of}
     return Fleet(
         program=program,
         parameters=parameters,
@@ -197,9 +204,15 @@ def fleet(
     )
 
 
-def called(program: Program, parameters: Array) -> Any:
-    """What the loops call for the results of a program, one for all cases or `Each`."""
-    return program.address if installed() else Each([python_call(program, own) for own in parameters.T])
+@dataclass(frozen=True)
+class Called:
+    """What the loops call for the results of a program in each case, made when it is asked for."""
+
+    program: Program
+    parameters: Array
+
+    def __getitem__(self, case: int) -> Any:
+        return python_call(self.program, self.parameters[:, case])
 
 
 def begun_each(

@@ -13,7 +13,7 @@ from eom.simulation import memory as of
 from eom.simulation.accepted import LOCATED
 from eom.simulation.advance import GUARD, LOOK, STABLE_4
 from eom.simulation.pieces import CURSOR, DEGREE, FIRST, INPUT, LAST
-from eom.simulation.stiffness import NUDGE
+from eom.simulation.stiffness import NUDGE, ONE
 
 if TYPE_CHECKING:
     from eom.simulation.fleet import Fleet
@@ -42,22 +42,23 @@ class Step(NamedTuple):
 
 
 class Lanes:
-    """Some cases of a fleet, last axis."""
+    """All cases of a fleet side by side, last axis."""
 
-    def __init__(self, fleet: "Fleet", cases: Any) -> None:
-        self.fleet, self.cases = fleet, cases
+    def __init__(self, fleet: "Fleet") -> None:
+        self.fleet, self.cases = fleet, np.arange(len(fleet.clock))
         self.n, self.limits, self.inputs = (int(fleet.at[k]) for k in (of.STATES, of.LIMITS, of.INPUTS))
-        self.parameters = np.ascontiguousarray(fleet.parameters[:, cases])
-        self.program = fleet.program.plain(self.parameters)
-        self.base = np.ascontiguousarray(fleet.work[cases, : self.inputs].T)
-        self.signals = fleet.signals[cases]
-        self.x = np.ascontiguousarray(fleet.v[cases, of.X].T)
-        self.direction = np.ascontiguousarray(fleet.v[cases, of.DIRECTION].T)
+        self.program = fleet.over_cases
+        self.base = np.ascontiguousarray(fleet.work[:, : self.inputs].T)
+        self.signals = fleet.signals.copy()
+        self.x = np.ascontiguousarray(fleet.v[:, of.X].T)
+        self.direction, self.moved = (np.ascontiguousarray(fleet.v[:, k].T) for k in (of.DIRECTION, of.MOVED))
         self.size, self.growing = fleet.v[0, of.SIZE][:, np.newaxis], fleet.v[0, of.GROWING][:, np.newaxis]
-        self.time, self.root, self.looked = (fleet.clock[cases, k] for k in (of.TIME, of.ROOT, of.LOOKED))
-        self.status = fleet.status[cases]
-        self.stop = np.zeros(len(cases), dtype=np.int64)
-        self.margins = np.ascontiguousarray(fleet.margins[cases, of.BEFORE].T)
+        self.time, self.root, self.looked = (fleet.clock[:, k].copy() for k in (of.TIME, of.ROOT, of.LOOKED))
+        self.status = fleet.status.copy()
+        self.stop = np.zeros(len(self.cases), dtype=np.int64)
+        self.margins = np.ascontiguousarray(fleet.margins[:, of.BEFORE].T)
+        self.waiting = np.zeros(len(self.cases), dtype=bool)
+        self.sample_x, self.sample_u = self.x.copy(), self.base.copy()
 
     def fill(self, t: Array, before: Any, cases: Any) -> Array:
         """Inputs of some cases, each at an instant, at a joint *before* it or after, (inputs, cases)."""
@@ -84,7 +85,7 @@ class Lanes:
         """Results of some cases, or all, at instants and states, (results, cases), of levels up to one."""
         if cases is None:
             return self.program(x, self.fill(t, before, slice(None)), level)
-        own = self.fleet.program.plain(self.parameters[:, cases])
+        own = self.fleet.program.of_arrays(self.fleet.parameters[:, cases])
         return own(x, self.fill(t, before, cases), level)
 
     def size_of(self, change: Array) -> Array:
@@ -184,21 +185,22 @@ class Lanes:
         due = active & (self.time + step > self.looked + LOOK)
         if not np.any(due):
             return
-        once = self.change(self.direction, f)
-        again = self.change(once, f)
+        again = self.change(self.moved, f)
         size = self.size + self.growing * np.abs(self.x)
-        d, e, g = self.direction / size, once / size, again / size
+        d, e, g = self.direction / size, self.moved / size, again / size
         dd, de, ee = np.sum(d * d, axis=0), np.sum(d * e, axis=0), np.sum(e * e, axis=0)
-        df, ef = np.sum(d * g, axis=0), np.sum(e * g, axis=0)
+        df, ef, ff = np.sum(d * g, axis=0), np.sum(e * g, axis=0), np.sum(g * g, axis=0)
         apart = ee * dd - de * de
         a, b = (ef * dd - df * de) / apart, (ee * df - de * ef) / apart
         inner = a * a + 4.0 * b
         real = 0.5 * (np.abs(a) + np.sqrt(np.maximum(inner, 0.0)))
         pair = np.where(inner >= 0.0, real, np.sqrt(np.maximum(-b, 0.0)))
-        root = np.where(apart > 1e-8 * ee * dd, pair, np.sqrt(ee / dd))
-        length = self.size_of(again)
-        good = due & (length > 0.0) & np.isfinite(length)
-        self.direction = np.where(good, again / np.where(good, length, 1.0), self.direction)
+        root = np.where(apart > ONE * ee * dd, pair, np.sqrt(ff / ee))
+        length = self.size_of(self.moved)
+        good = due & (length > 0.0) & np.isfinite(self.size_of(again))
+        length = np.where(good, length, 1.0)
+        self.direction = np.where(good, self.moved / length, self.direction)
+        self.moved = np.where(good, again / length, self.moved)
         self.root = np.where(due & np.isfinite(root), root, self.root)
         self.looked = np.where(due, self.time, self.looked)
 
@@ -268,24 +270,29 @@ class Lanes:
             due = np.flatnonzero(active & ((instants < end) | ((instants == end) & closed)))
             if not due.size:
                 return
+            if np.any(self.waiting[due]):
+                self.evaluate_samples()
             t, own = instants[due], step.of(due)
             x = np.where(own.h > 0.0, own.at((t - own.t) / np.where(own.h > 0.0, own.h, 1.0)), own.x)
-            u = self.fill(t, np.zeros(len(due), dtype=bool), due)
-            own_cases = None if len(due) == len(self.time) else due
-            found = self.results(t, np.zeros(len(due), dtype=bool), x, 2, own_cases)
-            every = np.concatenate((x, u, found[self.n + self.limits :]))
-            rows = self.cases[due]
-            fleet.rows[rows, counts[rows, of.SAMPLES]] = every[fleet.columns].T
-            counts[rows, of.SAMPLES] += 1
+            self.sample_x[:, due], self.sample_u[:, due] = x, self.fill(t, np.zeros(len(due), dtype=bool), due)
+            self.waiting[due] = True
+            counts[self.cases[due], of.SAMPLES] += 1
+
+    def evaluate_samples(self) -> None:
+        """Fill in the samples that wait, one of each case at most: evaluated together they take no longer than one."""
+        due = np.flatnonzero(self.waiting)
+        if not due.size:
+            return
+        found = self.program(self.sample_x, self.sample_u, 2)[self.n + self.limits :]
+        every = np.concatenate((self.sample_x, self.sample_u, found))[:, due]
+        rows = self.cases[due]
+        self.fleet.rows[rows, self.fleet.counts[rows, of.SAMPLES] - 1] = every[self.fleet.columns].T
+        self.waiting[due] = False
 
     def hand_back(self, margins: Array) -> None:
         """Leave everything where the next time finds it."""
-        fleet, cases = self.fleet, self.cases
-        fleet.v[cases, of.X], fleet.v[cases, of.DIRECTION] = self.x.T, self.direction.T
-        fleet.clock[cases, of.TIME], fleet.clock[cases, of.ROOT] = self.time, self.root
-        fleet.clock[cases, of.LOOKED], fleet.status[cases], fleet.signals[cases] = (
-            self.looked,
-            self.status,
-            self.signals,
-        )
-        fleet.margins[cases, of.BEFORE] = margins.T
+        self.evaluate_samples()
+        fleet = self.fleet
+        fleet.v[:, of.X], fleet.v[:, of.DIRECTION], fleet.v[:, of.MOVED] = self.x.T, self.direction.T, self.moved.T
+        fleet.clock[:, of.TIME], fleet.clock[:, of.ROOT], fleet.clock[:, of.LOOKED] = self.time, self.root, self.looked
+        fleet.status[:], fleet.signals[:], fleet.margins[:, of.BEFORE] = self.status, self.signals, margins.T

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from eom.program import compiled, machine, make
 from eom.program.make import Ready, program, ready
 from eom.program.numbers import gathered
-from eom.program.plain import compiled_text, plain
+from eom.program.plain import arrays_code, numbers_code, of_arrays, of_numbers
 from eom.program.plan import Plan, planned, traced
 from eom.program.tape import Node, Op, Tape
 
@@ -31,12 +31,12 @@ def plan_of(function: Function, numbers: Any = (), states: int = N, inputs: int 
 
 def in_python(plan: Plan, x: Array, u: Array, parameters: Array, level: int = 0) -> Array:
     """Results in plain Python."""
-    return plain(plan, compiled_text(plan), parameters)(x.tolist(), u.tolist(), level)
+    return of_numbers(plan, numbers_code(plan), parameters)(x.tolist(), u.tolist(), level)
 
 
 def in_lanes(plan: Plan, x: Array, u: Array, parameters: Array, level: int = 0) -> Array:
     """Results over cases, (results, cases)."""
-    return plain(plan, compiled_text(plan), parameters)(x, u, level)
+    return of_arrays(plan, arrays_code(plan), parameters)(x, u, level)
 
 
 def assert_near(found: Any, wanted: Any, size: float = 1.0) -> None:

@@ -160,7 +160,7 @@ def test_equations_in_python_and_over_cases_are_those_of_the_model(name: str) ->
     u = run.u[:, np.newaxis] + 1e-2 * rng.normal(size=(len(run.u), 3))
     with no_compiler():
         made = fresh(name).program
-        rows = made.program.plain(np.repeat(made.parameters[:, np.newaxis], 3, axis=1))(x, u, 2)
+        rows = made.program.of_arrays(np.repeat(made.parameters[:, np.newaxis], 3, axis=1))(x, u, 2)
         for k in range(3):
             a, b = x[:, k], u[:, k]
             wanted = np.concatenate((own.rhs(0.0, a, b), own.margins(a, b), own.output(0.0, a, b)))
