@@ -3,7 +3,7 @@
 import ctypes
 import inspect
 import itertools
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -11,6 +11,7 @@ import numpy as np
 from eom.program.cache import key
 from eom.program.compiled import installed
 from eom.program.loop_text import Kind, kind_of, loop_text
+from eom.program.make import place_of
 from eom.program.object_code import address
 
 POINTER, WHOLE = ctypes.c_void_p, ctypes.c_int64
@@ -27,13 +28,15 @@ class Each(NamedTuple):
 class Calls:
     """A plain function with its arguments in each case: numbers, and arrays that it changes in place.
 
+    It gives a whole number. Compiled it may use what numba knows, and functions of this package that do.
+
     Attributes
     ----------
     results : NDArray
         Whole numbers that the function gave last in each case, (cases,).
     """
 
-    def __init__(self, function: Callable[..., int], cases: int, arguments: Mapping[str, Any]) -> None:
+    def __init__(self, function: Any, cases: int, arguments: Mapping[str, Any]) -> None:
         self.function, self.arguments = function, dict(arguments)
         self.results = np.zeros(cases, dtype=np.int64)
         self.compiled = installed()
@@ -47,7 +50,8 @@ class Calls:
         self.table = np.zeros((cases, sum(kind.width for kind in kinds)), dtype=np.int64)
         self.numbers = np.zeros((cases, kinds.count(REAL)))
         self.ignored = np.zeros(2, dtype=np.int64)
-        text = f"{function.__module__}.{function.__name__} {kinds}"
+        code = function.__code__
+        text = f"{function.__module__}.{function.__name__} {code.co_code.hex()} {code.co_consts} {kinds}"
         self.entry = CALL(address(f"loop_{key(text)}", lambda: loop_text(function, kinds)))
         place = place_of(self.ignored)
         self.before = place, place + 8
@@ -93,9 +97,3 @@ def address_and_shape(array: Any, kind: Kind) -> tuple[int, ...]:
     if kind_of(array) != kind or not array.flags.c_contiguous:
         raise ValueError(f"an array of another kind than {kind}")
     return (place_of(array), *array.shape)
-
-
-def place_of(array: Any) -> int:
-    """Address of the elements of an array."""
-    address_: int = array.__array_interface__["data"][0]
-    return address_

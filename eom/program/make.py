@@ -66,20 +66,20 @@ class Ready(NamedTuple):
 
     def results(self, x: Array, u: Array, level: int) -> Array:
         """Results of the first levels up to one, compiled where there is a compiler."""
-        plan = self.program.plan
         if not installed():
             with np.errstate(all="ignore"):
                 return self.program.of_numbers(self.parameters)(x.tolist(), u.tolist(), level)
-        out, scratch = np.empty(sum(map(len, plan.roots))), np.ones(plan.scratch)
-        arrays = (
-            np.ascontiguousarray(x, dtype=float),
-            np.ascontiguousarray(u, dtype=float),
-            self.parameters,
-            scratch,
-            out,
-        )
-        CALL(self.program.address)(*(item.ctypes.data for item in arrays), level)
-        return out[: sum(map(len, plan.roots[: level + 1]))]
+        ends = self.program.plan.ends
+        out, scratch = np.empty(ends[-1]), np.ones(self.program.plan.scratch)
+        x, u = np.ascontiguousarray(x, dtype=float), np.ascontiguousarray(u, dtype=float)
+        CALL(self.program.address)(*map(place_of, (x, u, self.parameters, scratch, out)), level)
+        return out[: ends[level]]
+
+
+def place_of(array: Any) -> int:
+    """Address of the elements of an array."""
+    place: int = array.__array_interface__["data"][0]
+    return place
 
 
 def ready(function: Callable[..., Any], numbers: Any, states: int, inputs: int) -> Ready:

@@ -94,7 +94,7 @@ def of_numbers(plan: Plan, code: CodeType, parameters: Array) -> Plain:
 
 def of_arrays(plan: Plan, code: tuple[CodeType, int], parameters: Array) -> Plain:
     """The program of many cases, (parameters, cases)."""
-    cases, ends = parameters.shape[1], np.cumsum([len(group) for group in plan.roots])
+    cases, ends = parameters.shape[1], plan.ends
     program = bound(code[0], {**COMMON, "empty": lambda level: np.empty((ends[level], cases))})
     # what is the same in all cases need not be read for each of them
     same = np.all(parameters == parameters[:, :1], axis=1)

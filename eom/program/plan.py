@@ -64,6 +64,11 @@ class Plan(NamedTuple):
     parameters: tuple[int, ...]
     call_levels: dict[int, int]
 
+    @property
+    def ends(self) -> tuple[int, ...]:
+        """How many results there are of the levels up to each."""
+        return tuple(itertools.accumulate(map(len, self.roots)))
+
     def parameter_values(self, numbers: Numbers) -> Array:
         """Values of the parameters, (parameters, cases); ``ValueError`` if cases take other branches."""
         tape, cases = self.tape, numbers.values.shape[1]

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from eom.program import compiled, machine, make
+from eom.program import compiled, make
 from eom.program.make import Ready, program, ready
 from eom.program.numbers import gathered
 from eom.program.plain import arrays_code, numbers_code, of_arrays, of_numbers
@@ -493,14 +493,16 @@ def test_a_node_belongs_to_its_tape_once() -> None:
     assert tape.constant(-0.0).place == tape.constant(0.0).place
 
 
-def test_lanes_are_filled_up_beyond_whole_vectors() -> None:
-    """Calls of 4 to 9 lanes: none of the lanes that fill up shows."""
+@pytest.mark.parametrize("longest", range(4, 10))
+def test_lanes_are_filled_up_beyond_whole_vectors(longest: int) -> None:
+    """Calls of 4, 4 + 5, ... 4 + ... + 9 lanes, below and above a block: none of the lanes that fill up shows."""
     pytest.importorskip("numba")
-    assert hasattr(machine, "write_lanes")
-    found = ready(many_sines, (), 9, 0)
-    x = np.linspace(-2.0, 2.0, 9)
+    found = ready(many_sines, (), longest, 0)
+    (launch,) = found.program.plan.launches[0]
+    assert len(launch.lanes) == sum(range(4, longest + 1))
+    x = np.linspace(-2.0, 2.0, longest)
     assert_near(found.results(x, np.zeros(0), 0), many_sines(x, None, None)[0])
 
 
 def many_sines(x: Any, _u: Any, _p: Any) -> tuple[Any]:
-    return (np.concatenate([np.sin(x[:k] + 0.1 * k) for k in range(1, 10)]),)
+    return (np.concatenate([np.sin(x[:k] + 0.1 * k) for k in range(1, len(x) + 1)]),)
