@@ -8,7 +8,8 @@ from typing import Any, ClassVar
 import numpy as np
 
 from eom.program.call import called
-from eom.program.tape import BRANCH, VALUES, Node, Op, Tape, binary, both, chosen
+from eom.program.operations import BRANCH, VALUES, Op
+from eom.program.tape import Node, Tape, binary, both, chosen
 
 MANY = 4
 """So many elementary functions of the same kind at once are a call over lanes."""

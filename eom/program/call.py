@@ -3,7 +3,8 @@
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
-from eom.program.tape import Node, Op, Tape
+from eom.program.operations import Op
+from eom.program.tape import Node, Tape
 
 
 class Lane(NamedTuple):

@@ -5,7 +5,7 @@ from functools import cache
 
 from eom.program.call import Lane
 from eom.program.names import Names
-from eom.program.tape import LEAVES, Op
+from eom.program.operations import LEAVES, Op
 
 INTO = "_TO"
 """Follows the names of operations on arrays that write to the last one given."""

@@ -7,9 +7,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from eom.program.machine import constant, integer
 from eom.program.numbers import PACKAGE, loaded
 from eom.program.object_code import ENTRY
+from eom.program.value import constant, integer
 
 NAME = "eom_entry_of_rows"
 

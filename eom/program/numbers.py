@@ -11,7 +11,8 @@ import numpy as np
 
 from eom.assembly.vectors import Array
 from eom.program.arrays import as_nodes
-from eom.program.tape import Op, Tape
+from eom.program.operations import Op
+from eom.program.tape import Tape
 
 PACKAGE = "eom"
 STRUCTURAL = (0.0, 1.0, -1.0, np.inf, -np.inf)

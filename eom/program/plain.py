@@ -10,8 +10,9 @@ import numpy as np
 
 from eom.assembly.vectors import Array
 from eom.program.lane_text import INTO, row_count
-from eom.program.plan import Launch, Plan
-from eom.program.tape import VALUES, Op
+from eom.program.launch import Launch
+from eom.program.operations import VALUES, Op
+from eom.program.plan import Plan
 from eom.program.text import ArraysText, NumbersText, launches
 
 Plain = Callable[[Any, Any, int], Array]

@@ -2,36 +2,16 @@
 
 import itertools
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from eom.assembly.vectors import Array
 from eom.program.arrays import as_nodes
-from eom.program.call import Call
+from eom.program.launch import Launch, Layout, launched, together
 from eom.program.numbers import Numbers, lifted
-from eom.program.tape import LEAVES, VALUES, Op, Tape
-
-LANE_BLOCK = 4
-"""Lanes are filled up to a multiple of this, a vector register."""
-
-
-class Launch(NamedTuple):
-    """Calls of one function over all their lanes at once.
-
-    ``lanes`` are (call, lane) pairs. Rows of ``arguments`` stand at places of the scratch memory, and those in
-    ``filled`` have to be filled in before; the others are there already. Results begin at this place of the scratch
-    memory, coefficients at this one of the parameters; their rows are ``stride`` apart.
-    """
-
-    call: Call
-    lanes: tuple[tuple[int, int], ...]
-    stride: int
-    arguments: tuple[int, ...]
-    filled: tuple[int, ...]
-    results: int
-    coefficients: int
+from eom.program.operations import LEAVES, VALUES, Op
+from eom.program.tape import Tape
 
 
 class Plan(NamedTuple):
@@ -226,64 +206,3 @@ def computed(tape: Tape, stage: int, level: dict[int, int], times: Times, levels
     """The operations of a stage, a group for each level that needs them first."""
     own = [place for place in sorted(times.stage) if times.stage[place] == stage and tape.ops[place][0] not in LEAVES]
     return tuple(tuple(place for place in own if level[place] == k) for k in range(levels))
-
-
-@dataclass
-class Layout:
-    """Parameters so far, as places of the tape, and the size of the scratch memory so far."""
-
-    parameters: list[int]
-    scratch: int
-
-    def room(self, size: int) -> int:
-        """Where room in the scratch memory begins."""
-        begin, self.scratch = self.scratch, self.scratch + size
-        return begin
-
-    def added(self, places: Sequence[int]) -> int:
-        """Where more parameters begin."""
-        begin = len(self.parameters)
-        self.parameters.extend(places)
-        return begin
-
-
-def launched(tape: Tape, lanes: Sequence[tuple[int, int]], layout: Layout, done: Sequence[Launch]) -> Launch:
-    """The launch of some lanes, after those that are *done*."""
-    call = tape.calls[lanes[0][0]]
-    stride = -(-len(lanes) // LANE_BLOCK) * LANE_BLOCK
-    filling = [*lanes, *[lanes[-1]] * (stride - len(lanes))]
-    coefficients = len(layout.parameters)
-    for row in range(len(call.coefficients)):
-        layout.added([tape.calls[index].coefficients[row][lane] for index, lane in filling])
-    arguments: list[int] = []
-    filled: list[int] = []
-    for row in range(len(call.arguments)):
-        places = [tape.calls[index].arguments[row][lane] for index, lane in lanes]
-        there = result_row(tape, places, stride, done)
-        if there is None:
-            filled.append(row)
-        arguments.append(layout.room(stride) if there is None else there)
-    results = layout.room(stride * call.rows)
-    return Launch(call, tuple(lanes), stride, tuple(arguments), tuple(filled), results, coefficients)
-
-
-def result_row(tape: Tape, places: Sequence[int], stride: int, done: Sequence[Launch]) -> int | None:
-    """Where a row of results stands that is just the one wanted, None if there is none."""
-    ops = [tape.ops[place] for place in places]
-    if any(op[0] != Op.LANE or op[2] != ops[0][2] for op in ops):
-        return None
-    wanted = tuple((op[1], op[3]) for op in ops)
-    for item in done:
-        if item.lanes == wanted and item.stride == stride:
-            return item.results + stride * ops[0][2]
-    return None
-
-
-def together(tape: Tape, calls: Sequence[int]) -> list[list[tuple[int, int]]]:
-    """The lanes of calls, those of the same function together."""
-    found: dict[Any, list[tuple[int, int]]] = {}
-    for index in calls:
-        call = tape.calls[index]
-        lanes = [(index, lane) for lane in range(len(call.arguments[0]))]
-        found.setdefault(call.lane, []).extend(lanes)
-    return list(found.values())

@@ -6,9 +6,11 @@ from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from eom.program.lane_text import INTO, lane_lines, number
+from eom.program.launch import Launch
 from eom.program.names import Names
-from eom.program.plan import Launch, Plan, needs
-from eom.program.tape import LEAVES, Op, Tape
+from eom.program.operations import LEAVES, Op
+from eom.program.plan import Plan, needs
+from eom.program.tape import Tape
 
 SIGNS = {Op.ADD: "({} + {})", Op.SUB: "({} - {})", Op.MUL: "({} * {})", Op.NEG: "(-{})"}
 DEEP = 6

@@ -4,7 +4,7 @@ from functools import cache
 from importlib import import_module
 from typing import Any
 
-from eom.program.machine import constant, double, integer
+from eom.program.value import constant, double, integer
 from eom.simulation.memory import PARAMETERS, RESULTS, SCRATCH, STATES, U
 
 

@@ -12,9 +12,9 @@ from scipy.linalg import solve
 
 from eom.program.call import Lane
 from eom.program.numbers import gathered
+from eom.program.operations import Op
 from eom.program.plain import arrays_code, numbers_code, of_arrays, of_numbers
 from eom.program.plan import Plan, planned, traced
-from eom.program.tape import Op
 from eom.splice.lanes import solve_positive
 
 Array = NDArray[np.float64]

@@ -13,9 +13,10 @@ from numpy.typing import NDArray
 from eom.program import compiled, make
 from eom.program.make import Ready, program, ready
 from eom.program.numbers import gathered
+from eom.program.operations import Op
 from eom.program.plain import arrays_code, numbers_code, of_arrays, of_numbers
 from eom.program.plan import Plan, planned, traced
-from eom.program.tape import Node, Op, Tape
+from eom.program.tape import Node, Tape
 
 Array = NDArray[np.float64]
 Function = Callable[[Any, Any, Any], Sequence[Any]]
