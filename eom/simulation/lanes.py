@@ -59,6 +59,7 @@ class Lanes:
         self.margins = np.ascontiguousarray(fleet.margins[:, of.BEFORE].T)
         self.waiting = np.zeros(len(self.cases), dtype=bool)
         self.sample_x, self.sample_u = self.x.copy(), self.base.copy()
+        self.sample_row = np.zeros(len(self.cases), dtype=np.int64)
 
     def fill(self, t: Array, before: Any, cases: Any) -> Array:
         """Inputs of some cases, each at an instant, at a joint *before* it or after, (inputs, cases)."""
@@ -103,8 +104,19 @@ class Lanes:
             return
         f, margins = self.start(self.margins, active, room)
         begun = active | ((self.status == of.TERMINAL) & (self.time < pausing))
-        self.sample(Step(self.time, 0.0 * self.time, self.x, self.x, f, f), self.time, begun, begun)
-        active &= self.status == of.DONE
+        try:
+            self.sample(Step(self.time, 0.0 * self.time, self.x, self.x, f, f), self.time, begun, begun)
+            f, margins = self.steps(until, pausing, closed, active & (self.status == of.DONE), f, margins)
+        finally:
+            # also of what is interrupted
+            self.evaluate_samples()
+        self.hand_back(margins)
+
+    def steps(
+        self, until: Array, pausing: Array, closed: Any, active: Any, f: Array, margins: Array
+    ) -> tuple[Array, Array]:
+        """Steps of all cases side by side until none is active; rates and margins at their ends."""
+        room = self.fleet.room
         while np.any(active):
             self.look(f, active)
             following = self.following()
@@ -138,7 +150,7 @@ class Lanes:
             if np.any(self.fleet.counts[self.cases, of.EVENTS] + self.limits > room.shape[1]):
                 # more room is made before it goes on
                 self.ended(active.copy(), of.FULL, active)
-        self.hand_back(margins)
+        return f, margins
 
     def observe(self) -> Array:
         """Outputs, inputs and states of all cases at their instants, (signals, cases)."""
@@ -275,6 +287,7 @@ class Lanes:
             t, own = instants[due], step.of(due)
             x = np.where(own.h > 0.0, own.at((t - own.t) / np.where(own.h > 0.0, own.h, 1.0)), own.x)
             self.sample_x[:, due], self.sample_u[:, due] = x, self.fill(t, np.zeros(len(due), dtype=bool), due)
+            self.sample_row[due] = counts[self.cases[due], of.SAMPLES]
             self.waiting[due] = True
             counts[self.cases[due], of.SAMPLES] += 1
 
@@ -285,13 +298,11 @@ class Lanes:
             return
         found = self.program(self.sample_x, self.sample_u, 2)[self.n + self.limits :]
         every = np.concatenate((self.sample_x, self.sample_u, found))[:, due]
-        rows = self.cases[due]
-        self.fleet.rows[rows, self.fleet.counts[rows, of.SAMPLES] - 1] = every[self.fleet.columns].T
+        self.fleet.rows[self.cases[due], self.sample_row[due]] = every[self.fleet.columns].T
         self.waiting[due] = False
 
     def hand_back(self, margins: Array) -> None:
         """Leave everything where the next time finds it."""
-        self.evaluate_samples()
         fleet = self.fleet
         fleet.v[:, of.X], fleet.v[:, of.DIRECTION], fleet.v[:, of.MOVED] = self.x.T, self.direction.T, self.moved.T
         fleet.clock[:, of.TIME], fleet.clock[:, of.ROOT], fleet.clock[:, of.LOOKED] = self.time, self.root, self.looked

@@ -13,9 +13,10 @@ from eom.errors import SimulationError
 from eom.model.linear import linearise
 from eom.model.tyre import TyreModel, build_tyre_model
 from eom.program import calls, compiled, make
-from eom.simulation import Block, Event, Run, Sensor, Sine, Steps, Table, engine, fleet, report, simulate
+from eom.simulation import Block, Event, Run, Sensor, Sine, Steps, Table, engine, fleet, lanes, report, simulate
 from eom.simulation.batch import Case, simulate_many
 from eom.simulation.inputs import Input
+from eom.simulation.interrupted import RunInterrupted
 from eom.simulation.progress import Progress
 from eom.simulation.runs import Runs
 from tests.splice.shared import model
@@ -317,3 +318,31 @@ def test_no_event_of_a_lane_is_lost_for_want_of_room(room: int, monkeypatch: pyt
     monkeypatch.setattr(engine, "ROOM", room)
     with no_compiler():
         assert_cases_near(simulate_many(train(), [case, CASES[8]], 1.0, **RK4), wanted)
+
+
+@pytest.mark.parametrize("steps", [1, 7, 30])
+def test_an_interrupt_between_steps_in_numpy_keeps_every_sample_until_then(
+    monkeypatch: pytest.MonkeyPatch, steps: int
+) -> None:
+    """Samples wait for each other, so some have not been evaluated when it comes; cases sample at other steps."""
+    cases = [Case({STEER: Sine(0.03, 2.0, duration)}) for duration in (0.11, 0.23)]
+    ask = {"sample": 0.025, **RK4}
+    wanted = simulate_many(model(TRAIN), cases, 0.6, **ask)
+    step, count = lanes.Lanes.step, iter(range(1000))
+
+    def interrupted(own: lanes.Lanes, h: Array, f: Array) -> Any:
+        if next(count) >= steps:
+            raise KeyboardInterrupt
+        return step(own, h, f)
+
+    monkeypatch.setattr(lanes.Lanes, "step", interrupted)
+    with no_compiler(), pytest.raises(RunInterrupted) as stopped:
+        simulate_many(fresh(), cases, 0.6, **ask)
+    partial: Runs = stopped.value.partial
+    for name in wanted.signals:
+        for found, whole in zip(partial.of(name), wanted.of(name), strict=True):
+            taken = int(np.sum(~np.isnan(found)))
+            # steps are 10 ms or a little shorter
+            assert steps * 0.009 / 0.025 <= taken <= 1.01 + steps * 0.01 / 0.025
+            assert_near(found[:taken], whole[:taken], name)
+            assert np.all(np.isnan(found[taken:]))
