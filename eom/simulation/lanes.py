@@ -4,41 +4,20 @@ Every array's last axis is that of the cases. Each case takes the very steps tha
 NumPy ignore what cases that have ended compute.
 """
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from eom.assembly.vectors import Array
 from eom.simulation import memory as of
-from eom.simulation.accepted import LOCATED
 from eom.simulation.advance import GUARD, LOOK, STABLE_4
+from eom.simulation.lane_samples import LaneSamples
+from eom.simulation.lane_steps import Step, crossings
 from eom.simulation.pieces import CURSOR, DEGREE, FIRST, INPUT, LAST
 from eom.simulation.stiffness import NUDGE, ONE
 
 if TYPE_CHECKING:
     from eom.simulation.fleet import Fleet
-
-
-class Step(NamedTuple):
-    """A step of every case: begin and length [s], states and rates at both ends, (n, cases)."""
-
-    t: Array
-    h: Array
-    x: Array
-    new: Array
-    f: Array
-    f_new: Array
-
-    def at(self, share: Array) -> Array:
-        """The states at shares of the steps, cubic between the ends."""
-        change = self.new - self.x
-        bent = self.h * self.f - change
-        twisted = change - self.h * self.f_new - bent
-        return np.asarray(self.x + share * (change + (1.0 - share) * (bent + share * twisted)))
-
-    def of(self, cases: Any) -> "Step":
-        """The step of some cases."""
-        return Step(*(part[..., cases] for part in self))
 
 
 class Lanes:
@@ -57,9 +36,7 @@ class Lanes:
         self.status = fleet.status.copy()
         self.stop = np.zeros(len(self.cases), dtype=np.int64)
         self.margins = np.ascontiguousarray(fleet.margins[:, of.BEFORE].T)
-        self.waiting = np.zeros(len(self.cases), dtype=bool)
-        self.sample_x, self.sample_u = self.x.copy(), self.base.copy()
-        self.sample_row = np.zeros(len(self.cases), dtype=np.int64)
+        self.samples = LaneSamples(fleet, self.x, self.base)
 
     def fill(self, t: Array, before: Any, cases: Any) -> Array:
         """Inputs of some cases, each at an instant, at a joint *before* it or after, (inputs, cases)."""
@@ -109,7 +86,7 @@ class Lanes:
             f, margins = self.steps(until, pausing, closed, active & (self.status == of.DONE), f, margins)
         finally:
             # also of what is interrupted
-            self.evaluate_samples()
+            self.samples.evaluate()
         self.hand_back(margins)
 
     def steps(
@@ -198,16 +175,7 @@ class Lanes:
         if not np.any(due):
             return
         again = self.change(self.moved, f)
-        size = self.size + self.growing * np.abs(self.x)
-        d, e, g = self.direction / size, self.moved / size, again / size
-        dd, de, ee = np.sum(d * d, axis=0), np.sum(d * e, axis=0), np.sum(e * e, axis=0)
-        df, ef, ff = np.sum(d * g, axis=0), np.sum(e * g, axis=0), np.sum(g * g, axis=0)
-        apart = ee * dd - de * de
-        a, b = (ef * dd - df * de) / apart, (ee * df - de * ef) / apart
-        inner = a * a + 4.0 * b
-        real = 0.5 * (np.abs(a) + np.sqrt(np.maximum(inner, 0.0)))
-        pair = np.where(inner >= 0.0, real, np.sqrt(np.maximum(-b, 0.0)))
-        root = np.where(apart > ONE * ee * dd, pair, np.sqrt(ff / ee))
+        root = fastest_roots(self.direction, self.moved, again, self.size + self.growing * np.abs(self.x))
         length = self.size_of(self.moved)
         good = due & (length > 0.0) & np.isfinite(self.size_of(again))
         length = np.where(good, length, 1.0)
@@ -244,34 +212,24 @@ class Lanes:
         limit, lane = np.nonzero(((margins < 0.0) != (new < 0.0)) & active)
         if not limit.size:
             return reach
-        share = self.crossings(step.of(lane), limit, margins[limit, lane], new[limit, lane], lane)
+        crossed = step.of(lane)
+
+        def margins_at(share: Array) -> Array:
+            """Of each crossing its own."""
+            before = np.ones(len(limit), dtype=bool)
+            found = self.results(crossed.t + share * crossed.h, before, crossed.at(share), 1, lane)
+            return np.asarray(found[self.n + limit, np.arange(len(limit))])
+
+        share = crossings(margins_at, margins[limit, lane], new[limit, lane])
         reached = new[limit, lane] < 0.0
         ending = self.fleet.terminal[limit] & reached
         np.minimum.at(reach, lane[ending], share[ending])
-        states = step.of(lane).at(share)
+        states = crossed.at(share)
         for k in np.lexsort((limit, lane)):
             if share[k] <= min(reach[lane[k]], 1.0):
                 at = step.t[lane[k]] + share[k] * step.h[lane[k]]
                 self.note(lane[k], at, limit[k], bool(reached[k]), states[:, k], room)
         return reach
-
-    def crossings(self, step: Step, limit: Any, below: Array, above: Array, lane: Any) -> Array:
-        """Shares of the steps at which margins are zero, as `eom.simulation.accepted.crossing`."""
-        lower, upper, left, right, ends = 0.0 * below, 0.0 * below + 1.0, below.copy(), above.copy(), above < 0.0
-        halve = np.zeros(len(limit), dtype=bool)
-        while np.any(upper - lower > LOCATED):
-            going, width = upper - lower > LOCATED, upper - lower
-            line = lower + width * left / np.where(left == right, 1.0, left - right)
-            share = np.where(halve, lower + 0.5 * width, np.clip(line, lower + 0.25 * LOCATED, upper - 0.25 * LOCATED))
-            before = np.ones(len(limit), dtype=bool)
-            results = self.results(step.t + share * step.h, before, step.at(share), 1, lane)
-            found = results[self.n + limit, np.arange(len(limit))]
-            same = (found < 0.0) == ends
-            beyond, nearer = going & same, going & ~same
-            upper, right = np.where(beyond, share, upper), np.where(beyond, found, np.where(nearer, 0.5 * right, right))
-            lower, left = np.where(nearer, share, lower), np.where(nearer, found, np.where(beyond, 0.5 * left, left))
-            halve = np.where(going, upper - lower > 0.5 * width, halve)
-        return upper
 
     def sample(self, step: Step, end: Array, active: Any, closed: Any) -> None:
         """Fill in the samples that are due until the instants to which the cases get, those at *closed* ones too."""
@@ -282,24 +240,9 @@ class Lanes:
             due = np.flatnonzero(active & ((instants < end) | ((instants == end) & closed)))
             if not due.size:
                 return
-            if np.any(self.waiting[due]):
-                self.evaluate_samples()
             t, own = instants[due], step.of(due)
             x = np.where(own.h > 0.0, own.at((t - own.t) / np.where(own.h > 0.0, own.h, 1.0)), own.x)
-            self.sample_x[:, due], self.sample_u[:, due] = x, self.fill(t, np.zeros(len(due), dtype=bool), due)
-            self.sample_row[due] = counts[self.cases[due], of.SAMPLES]
-            self.waiting[due] = True
-            counts[self.cases[due], of.SAMPLES] += 1
-
-    def evaluate_samples(self) -> None:
-        """Fill in the samples that wait, one of each case at most: evaluated together they take no longer than one."""
-        due = np.flatnonzero(self.waiting)
-        if not due.size:
-            return
-        found = self.program(self.sample_x, self.sample_u, 2)[self.n + self.limits :]
-        every = np.concatenate((self.sample_x, self.sample_u, found))[:, due]
-        self.fleet.rows[self.cases[due], self.sample_row[due]] = every[self.fleet.columns].T
-        self.waiting[due] = False
+            self.samples.add(due, x, self.fill(t, np.zeros(len(due), dtype=bool), due))
 
     def hand_back(self, margins: Array) -> None:
         """Leave everything where the next time finds it."""
@@ -307,3 +250,16 @@ class Lanes:
         fleet.v[:, of.X], fleet.v[:, of.DIRECTION], fleet.v[:, of.MOVED] = self.x.T, self.direction.T, self.moved.T
         fleet.clock[:, of.TIME], fleet.clock[:, of.ROOT], fleet.clock[:, of.LOOKED] = self.time, self.root, self.looked
         fleet.status[:], fleet.signals[:], fleet.margins[:, of.BEFORE] = self.status, self.signals, margins.T
+
+
+def fastest_roots(direction: Array, moved: Array, again: Array, size: Array) -> Array:
+    """Magnitudes of the fastest roots [1/s] by directions d, J d and J J d, as `eom.simulation.stiffness.fastest`."""
+    d, e, f = direction / size, moved / size, again / size
+    dd, de, ee = np.sum(d * d, axis=0), np.sum(d * e, axis=0), np.sum(e * e, axis=0)
+    df, ef, ff = np.sum(d * f, axis=0), np.sum(e * f, axis=0), np.sum(f * f, axis=0)
+    apart = ee * dd - de * de
+    a, b = (ef * dd - df * de) / apart, (ee * df - de * ef) / apart
+    inner = a * a + 4.0 * b
+    real = 0.5 * (np.abs(a) + np.sqrt(np.maximum(inner, 0.0)))
+    pair = np.where(inner >= 0.0, real, np.sqrt(np.maximum(-b, 0.0)))
+    return np.asarray(np.where(apart > ONE * ee * dd, pair, np.sqrt(ff / ee)))
