@@ -78,7 +78,7 @@ def file_path(location: tuple[str | int, ...], data: object, kind: str) -> Path:
     here: Any = data
     told = False
     for k, step in enumerate(location):
-        if not told and isinstance(here, dict) and step in {here.get("type"), here.get("kind")}:
+        if not told and isinstance(here, dict) and step in (here.get("type"), here.get("kind")):
             # the type of a connector, the kind of a law stand before the key in it
             told = True
             continue

@@ -73,3 +73,9 @@ def test_what_is_no_file_is_said_to_be_none(path: str) -> None:
 def test_an_endless_file_is_refused() -> None:
     with pytest.raises(eom.DescriptionError):
         eom.load("/dev/zero")
+
+
+@pytest.mark.parametrize("name", ["type", "kind", "frame"])
+def test_a_body_may_be_named_like_a_key_and_its_mistakes_are_told_all_the_same(name: str) -> None:
+    with pytest.raises(eom.DescriptionError, match=rf"^<text>:2:\d+: bodies.{name}.mass: unknown unit of measure 'x'$"):
+        eom.loads(f"name: n\nbodies: {{{name}: {{mass: 1 x, at: [0, 0, 0]}}}}")
