@@ -55,7 +55,8 @@ class Calls:
         self.entry = CALL(address(f"loop_{key(text)}", lambda: loop_text(function, kinds)))
         place = place_of(self.ignored)
         self.before = place, place + 8
-        self.after = place_of(self.table), self.table.shape[1], place_of(self.numbers), self.numbers.shape[1]
+        width, count = self.table.shape[1], self.numbers.shape[1]
+        self.after = place_of(self.table), width, place_of(self.numbers), count, place_of(self.results)
         for name in names:
             self.set(name, self.arguments[name])
 
@@ -77,7 +78,7 @@ class Calls:
         """Call it for some cases."""
         if self.compiled:
             which = np.ascontiguousarray(cases, dtype=np.int64)
-            self.entry(*self.before, len(which), place_of(which), *self.after, place_of(self.results))
+            self.entry(*self.before, len(which), place_of(which), *self.after)
             return
         for case in cases:
             own = {name: one(value, case) for name, value in self.arguments.items()}

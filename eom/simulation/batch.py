@@ -259,12 +259,13 @@ def told(
             at[own.times == until, :, k] = ports[max(int(np.searchsorted(instants, until)) - 1, 0)][:, k]
         taken = np.arange(len(own.times)) < own.counts[:, of.SAMPLES, np.newaxis]
         values = np.concatenate((values, np.where(taken[:, :, np.newaxis], at.transpose(2, 0, 1), np.nan)), axis=2)
+    diverging = [own.diverging(k, model.states) for k in range(len(own.clock))]
     return Runs(
         name=model.vehicle.name if isinstance(model, TyreModel) else model.name,
         time=own.times,
         signals=(*(name for _, name in kept), *wiring.signals),
         units=(*(units[k] for k, _ in kept), *wiring.units),
         values=values,
-        events=tuple(events(parts, limits) for parts in own.events),
-        ended=tuple(own.ended(k, limits) for k in range(len(own.clock))),
+        events=tuple((*events(parts, limits), *more) for parts, more in zip(own.events, diverging, strict=True)),
+        ended=tuple(own.ended(k, limits, more) for k, more in enumerate(diverging)),
     )

@@ -19,8 +19,8 @@ class Event:
     Attributes
     ----------
     kind : str
-        ``lift``, ``lock``, ``jackknife``, ``rollover``, ``roll``, ``articulation``, ``traction`` or
-        ``standstill``.
+        ``lift``, ``lock``, ``jackknife``, ``rollover``, ``roll``, ``articulation``, ``traction``, ``standstill`` or
+        ``divergence``.
     owner : str
         The wheel, unit or body.
     time : float

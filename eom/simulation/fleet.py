@@ -12,9 +12,11 @@ import numpy as np
 from eom.assembly.vectors import Array
 from eom.program.calls import Calls, Each
 from eom.program.compiled import installed
-from eom.program.make import Program
+from eom.program.make import Program, Ready
 from eom.program.plain import Plain
 from eom.simulation import memory as of
+from eom.simulation.channels import Event
+from eom.simulation.divergence import DIVERGING, divergence
 from eom.simulation.engine import beginning, places, python_call, room_of
 from eom.simulation.equations import Equations
 from eom.simulation.go import go
@@ -113,11 +115,19 @@ class Fleet:
         every = self.work[:, begin : begin + outputs], self.work[:, first : first + inputs], self.v[:, of.X]
         return np.concatenate(every, axis=1).T
 
-    def ended(self, case: int, limits: tuple[Limit, ...]) -> str:
+    def diverging(self, case: int, states: Sequence[str]) -> tuple[Event, ...]:
+        """The event of a case whose motion cannot be followed any more."""
+        if self.status[case] not in DIVERGING:
+            return ()
+        ready = Ready(self.program, np.ascontiguousarray(self.parameters[:, case]))
+        memory = self.at, self.v[case], self.work[case], self.pieces, self.signals[case]
+        return (divergence(ready, states, float(self.clock[case, of.TIME]), *memory),)
+
+    def ended(self, case: int, limits: tuple[Limit, ...], diverging: tuple[Event, ...]) -> str:
         """Why a case ended before its time, a sentence; empty if it did not."""
         status, at = int(self.status[case]), self.clock[case, of.TIME]
         if status != of.DONE:
-            return sentence(status, self.clock[case], self.settings, self.events[case], limits)
+            return sentence(status, self.clock[case], self.settings, self.events[case], limits, diverging)
         return self.inputs[case].why if at >= self.inputs[case].until else ""
 
     @functools.cached_property

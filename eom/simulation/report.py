@@ -35,6 +35,7 @@ class Told(NamedTuple):
     asked: Request
     engine: Engine
     held: Sequence[tuple[float, Array]]
+    diverging: tuple[Event, ...] = ()
 
 
 def run_of(told: Told, ended: str) -> Run:
@@ -50,7 +51,7 @@ def run_of(told: Told, ended: str) -> Run:
         states=channels(model.states, model.state_units, rows[:, :n]),
         outputs=channels(model.outputs, model.output_units, rows[:, n + m :]),
         blocks=channels(wiring.signals, wiring.units, ports_at(own.times[:count], told)),
-        events=events(own.events, told.limits),
+        events=(*events(own.events, told.limits), *told.diverging),
         method=method(own),
         ended=ended,
         identity=identity(told),
@@ -94,8 +95,15 @@ def method(own: Engine) -> str:
     return f"{' and '.join(parts) or 'no steps'}, {rejected} rejected; {how}"
 
 
-def sentence(status: int, clock: Array, settings: Array, parts: Sequence[Array], limits: tuple[Limit, ...]) -> str:
-    """Why a run ended before its time; *parts* are its events."""
+def sentence(
+    status: int,
+    clock: Array,
+    settings: Array,
+    parts: Sequence[Array],
+    limits: tuple[Limit, ...],
+    diverging: tuple[Event, ...],
+) -> str:
+    """Why a run ended before its time; *parts* are its events, *diverging* is what follows them."""
     at = f"{clock[of.TIME]:.6g} s"
     root, h = clock[of.ROOT], settings[of.LARGEST]
     match status:
@@ -115,8 +123,8 @@ def sentence(status: int, clock: Array, settings: Array, parts: Sequence[Array],
         case of.INACCURATE:
             return f"at {at} a step of {h:g} s is too long for rk4 to follow the motion: take a smaller one"
         case of.COLLAPSED:
-            return f"at {at} the motion cannot be followed: steps fall below 1e-9 s"
-    return f"at {at} the motion diverges: its rates are no finite numbers any more"
+            return f"at {at} the motion cannot be followed: steps fall below 1e-9 s, and {diverging[0].sentence}"
+    return f"at {at} the motion diverges: {diverging[0].sentence}"
 
 
 @functools.cache

@@ -10,6 +10,8 @@ from eom.errors import SimulationError
 from eom.model.tyre import TyreModel
 from eom.simulation import memory as of
 from eom.simulation.blocks import Block
+from eom.simulation.channels import Event
+from eom.simulation.divergence import DIVERGING, divergence
 from eom.simulation.engine import Engine, engine
 from eom.simulation.equations import Equations, Model, at_start, check_kind, equations_of
 from eom.simulation.inputs import Input
@@ -118,6 +120,7 @@ class Running(NamedTuple):
         held: list[tuple[float, Array]] = []
         until = min(asked.duration, own.driven.until)
         status, why = of.DONE, ""
+        diverging: tuple[Event, ...] = ()
         try:
             with Progress(f"simulating {name_of(self.model)}", until) as progress:
                 for instant in self.instants(until, held):
@@ -134,8 +137,9 @@ class Running(NamedTuple):
         if status == of.DONE and until < asked.duration:
             why = own.driven.why
         elif status != of.DONE:
-            why = sentence(status, own.clock, own.settings, own.events, self.equations.limits)
-        run = self.run(held, why)
+            diverging = self.diverging(status)
+            why = sentence(status, own.clock, own.settings, own.events, self.equations.limits, diverging)
+        run = self.run(held, why, diverging)
         if why and status != of.TERMINAL:
             raise SimulationError(why, run) from own.driven.cause
         return run
@@ -174,9 +178,17 @@ class Running(NamedTuple):
         own.observe()
         return updated(wiring, due, time, np.concatenate((own.outputs, own.inputs, own.state)), ports)
 
-    def run(self, held: list[tuple[float, Array]], ended: str) -> Run:
+    def diverging(self, status: int) -> tuple[Event, ...]:
+        """The event of a motion that cannot be followed any more."""
+        own = self.engine
+        if status not in DIVERGING:
+            return ()
+        memory = own.time, own.at, own.v, own.work, own.driven.pieces, own.driven.signals
+        return (divergence(self.equations.ready, self.model.states, *memory),)
+
+    def run(self, held: list[tuple[float, Array]], ended: str, diverging: tuple[Event, ...] = ()) -> Run:
         """What was computed until now."""
-        told = Told(self.model, self.equations.limits, self.asked, self.engine, held)
+        told = Told(self.model, self.equations.limits, self.asked, self.engine, held, diverging)
         return run_of(told, ended)
 
 

@@ -9,7 +9,9 @@ import pytest
 import eom
 from eom.errors import SimulationError
 from eom.model.tyre import TyreModel
+from eom.program.compiled import without_compiler
 from eom.simulation import Run, RunInterrupted, Steps, Table, simulate
+from eom.simulation.batch import Case, simulate_many
 from eom.simulation.functions import pieces_of
 from eom.simulation.inputs import Input
 from tests.simulation.block_samples import Function
@@ -281,6 +283,29 @@ def test_a_motion_that_diverges_ends_with_a_sentence_and_finite_samples(name: st
     with pytest.raises(SimulationError, match=r"^at 0.1[\d]* s (the motion (diverges|cannot)|a step)") as refused:
         simulate(train(), {name: Steps(np.array([0.105]), np.array([value]))}, 1.0, method=method, step=step)
     assert_partial(refused.value, 0.1)
+    partial = partial_of(refused.value)
+    if "a step of" not in str(refused.value):
+        *_, event = partial.events
+        assert (event.kind, event.until) == ("divergence", None)
+        assert str(refused.value).endswith(event.sentence)
+        assert 0.1 <= event.time <= 0.2
+        assert event.state.shape == (len(partial.states.names),)
+        assert np.all(np.isfinite(event.state))
+        assert any(state.startswith(f"{event.owner}.") for state in partial.states.names)
+
+
+def test_the_body_that_diverges_is_named() -> None:
+    """One that spins so fast that its centripetal forces are no numbers; the same in a batch, with or without numba."""
+    start = {"semitrailer_2_frame.yaw_rate": 1e250}
+    with pytest.raises(SimulationError) as refused:
+        simulate(train(), {}, 0.5, start=start)
+    assert str(refused.value) == "at 0 s the motion diverges: yaw rate of semitrailer_2_frame leaves all bounds"
+    found = simulate_many(train(), [Case(), Case(start=start)], 0.5)
+    with without_compiler():
+        alike = simulate_many(train(), [Case(), Case(start=start)], 0.5, method="rk4", step=1e-3)
+    for runs in (found, alike):
+        assert not any(event.kind == "divergence" for event in runs.events[0])
+        assert [event.owner for event in runs.events[1] if event.kind == "divergence"] == ["semitrailer_2_frame"]
 
 
 def test_a_run_does_not_change_its_model_or_its_inputs() -> None:
