@@ -118,6 +118,8 @@ def simulate_many(
         raise RunInterrupted(told(model, one, ready, kept, held), f"interrupted at {ready.time:.6g} s") from None
     except SimulationError as error:
         raise SimulationError(str(error), told(model, one, ready, kept, held)) from error.__cause__
+    finally:
+        ready.close()
     return told(model, one, ready, kept, held)
 
 

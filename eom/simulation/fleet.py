@@ -26,8 +26,8 @@ from eom.simulation.report import sentence
 from eom.simulation.signal_pieces import Driven
 from eom.splice.limits import Limit
 
-AT_ONCE = 8
-"""Cases that a thread takes at a time."""
+PARTS = 4
+"""Parts for each thread, so that one that has long cases does not keep the others waiting for all of them."""
 
 
 @dataclass
@@ -146,9 +146,21 @@ class Fleet:
         if not installed() or self.threads == 1:
             task(cases)
             return
-        parts = np.array_split(cases, max(1, -(-len(cases) // AT_ONCE)))
-        with ThreadPoolExecutor(self.threads) as pool:
-            list(pool.map(task, parts))
+        try:
+            list(self.pool.map(task, np.array_split(cases, min(PARTS * self.threads, len(cases)))))
+        except BaseException:
+            # nothing may go on while it is told what there is
+            self.close()
+            raise
+
+    @functools.cached_property
+    def pool(self) -> ThreadPoolExecutor:
+        """The threads, which start when there is something to do."""
+        return ThreadPoolExecutor(self.threads)
+
+    def close(self) -> None:
+        """Wait for what threads do, and end them."""
+        self.pool.shutdown(cancel_futures=True)
 
 
 def fleet(
