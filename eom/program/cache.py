@@ -4,12 +4,15 @@ import hashlib
 import os
 import sys
 import tempfile
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 
 VARIABLE = "EOM_CACHE"
 """Environment variable that names another folder."""
 PACKAGE = Path(__file__).parents[1]
+DIGEST = 32
+"""Bytes before the content of a file that tell whether it is whole."""
 
 
 @cache
@@ -41,6 +44,17 @@ def sources() -> str:
 def key(*parts: str) -> str:
     """Short hash of texts and of the sources."""
     return hashlib.sha256("\n".join((sources(), *parts)).encode()).hexdigest()[:24]
+
+
+def kept(name: str, make: Callable[[], bytes]) -> bytes:
+    """The content of a file, made if there is none or a damaged one, which machine code must not be."""
+    path = folder() / name
+    found = path.read_bytes() if path.exists() else b""
+    digest, content = found[:DIGEST], found[DIGEST:]
+    if digest != hashlib.sha256(content).digest():
+        content = make()
+        replace(path, hashlib.sha256(content).digest() + content)
+    return content
 
 
 def replace(path: Path, content: bytes) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from functools import cache
 from importlib.util import find_spec
 
-from eom.program.cache import folder, key, replace
+from eom.program.cache import kept, key
 from eom.program.machine import machine_text
 from eom.program.object_code import address
 from eom.program.plan import Plan
@@ -37,12 +37,8 @@ def installed() -> bool:
 
 def kept_plan(signature: str, make: Callable[[], Plan]) -> Plan:
     """The plan of a structure, from the cache if it was made before."""
-    path = folder() / f"plan_{key(signature)}.pickle"
-    if path.exists():
-        kept: Plan = pickle.loads(path.read_bytes())  # noqa: S301  the user's own cache, as compiled code is
-        return kept
-    plan = make()
-    replace(path, pickle.dumps(plan))
+    # the user's own cache, as compiled code is
+    plan: Plan = pickle.loads(kept(f"plan_{key(signature)}.pickle", lambda: pickle.dumps(make())))  # noqa: S301
     return plan
 
 

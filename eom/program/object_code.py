@@ -5,7 +5,7 @@ from functools import cache
 from importlib import import_module
 from typing import Any
 
-from eom.program.cache import folder, key, replace
+from eom.program.cache import kept, key
 
 ENTRY = "entry"
 """Name of the function that is called."""
@@ -35,11 +35,9 @@ def address(name: str, text: Callable[[], str]) -> int:
     file = f"{name}_{key(processor())}.o"
     if file not in LOADED:
         llvm = import_module("llvmlite.binding")
-        path = folder() / file
-        if not path.exists():
-            replace(path, object_code(text()))
+        code = kept(file, lambda: object_code(text()))
         engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), target())
-        engine.add_object_file(llvm.ObjectFileRef.from_data(path.read_bytes()))
+        engine.add_object_file(llvm.ObjectFileRef.from_data(code))
         engine.finalize_object()
         LOADED[file] = engine
     return int(LOADED[file].get_function_address(ENTRY))
