@@ -11,6 +11,8 @@ from pathlib import Path
 VARIABLE = "EOM_CACHE"
 """Environment variable that names another folder."""
 PACKAGE = Path(__file__).parents[1]
+TEMPORARY: list[tempfile.TemporaryDirectory[str]] = []
+"""Folders that end with the process."""
 DIGEST = 32
 """Bytes before the content of a file that tell whether it is whole."""
 
@@ -26,7 +28,8 @@ def folder() -> Path:
         with tempfile.TemporaryFile(dir=wanted):
             return wanted
     except OSError:
-        return Path(tempfile.mkdtemp(prefix="eom"))
+        TEMPORARY.append(tempfile.TemporaryDirectory(prefix="eom"))
+        return Path(TEMPORARY[-1].name)
 
 
 @cache

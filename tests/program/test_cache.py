@@ -36,3 +36,16 @@ def test_a_damaged_file_is_made_again(damage: str, tmp_path: Path, monkeypatch: 
     other = {"cut": whole[:-1], "emptied": b"", "changed": whole[:-1] + b"x", "longer": whole + b"x"}
     path.write_bytes(other[damage])
     assert [cache.kept("name", make) for _ in range(2)] == [b"machine code again"] * 2
+
+
+def test_where_the_folder_cannot_be_written_one_is_used_that_ends_with_the_process(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A folder below a file can be made by nobody, not even by root."""
+    (tmp_path / "file").write_bytes(b"")
+    monkeypatch.setenv(cache.VARIABLE, str(tmp_path / "file" / "folder"))
+    found = cache.folder.__wrapped__()
+    assert found.is_dir()
+    assert tmp_path not in found.parents
+    cache.TEMPORARY.pop().cleanup()
+    assert not found.exists()
