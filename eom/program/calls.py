@@ -61,9 +61,9 @@ class Calls:
             self.set(name, self.arguments[name])
 
     def set(self, name: str, value: Any) -> None:
-        """Give an argument another value, one for all cases or `Each`."""
-        self.arguments[name] = value
+        """Give an argument another value, one for all cases or `Each`; ``ValueError`` if it is of another kind."""
         if not self.compiled:
+            self.arguments[name] = value
             return
         kind, place = self.kinds[name], self.places[name]
         if kind.axes:
@@ -71,8 +71,12 @@ class Calls:
             self.table[:, place : place + kind.width] = [address_and_shape(item, kind) for item in many]
         elif kind == REAL:
             self.numbers[:, self.columns[name]] = value.values if isinstance(value, Each) else value
+        elif kind_of(one(value, 0)) != kind:
+            raise ValueError(f"{name}: expected a whole number")
         else:
             self.table[:, place] = value.values if isinstance(value, Each) else value
+        # what is pointed to stays as long as it is
+        self.arguments[name] = value
 
     def __call__(self, cases: Any) -> None:
         """Call it for some cases."""

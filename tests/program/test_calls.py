@@ -92,9 +92,14 @@ def test_an_array_of_another_kind_or_with_elements_apart_is_refused(values: Arra
         "wanted": flags,
         "counts": counts,
     }
-    calls = Calls(worked, 1, {**arguments, "values": np.zeros(3)})
+    before = np.zeros(3)
+    calls = Calls(worked, 1, {**arguments, "values": before})
     with pytest.raises(ValueError, match="another kind"):
         calls.set("values", values)
+    with pytest.raises(ValueError, match="times: expected a whole number"):
+        calls.set("times", 0.5)
+    assert calls.arguments["values"] is before
+    assert calls.arguments["times"] == 1
 
 
 def test_what_was_compiled_is_loaded_without_numba() -> None:
