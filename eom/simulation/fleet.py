@@ -26,7 +26,7 @@ from eom.simulation.report import sentence
 from eom.simulation.signal_pieces import Driven
 from eom.splice.limits import Limit
 
-PARTS = 4
+PARTS = 8
 """Parts for each thread, so that one that has long cases does not keep the others waiting for all of them."""
 
 
