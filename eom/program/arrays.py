@@ -44,6 +44,9 @@ def equal(a: Any, b: Any) -> Node:
 
 def infinite(a: Node) -> Node:
     """1 for a constant that is infinite; what a run computes is not."""
+    kind, index = a.op[:2]
+    if kind == Op.PARAMETER and index in a.tape.vanishing:
+        raise TypeError(BRANCH)
     return a.tape.constant(float(a.value is not None and np.isinf(a.value)))
 
 

@@ -1,5 +1,6 @@
 """A folder for what outlives the process: files that are named for all that they depend on."""
 
+import contextlib
 import hashlib
 import os
 import sys
@@ -22,7 +23,7 @@ def folder() -> Path:
     """Where compiled code is kept: the user's cache, or a temporary folder where that cannot be written."""
     import platformdirs  # noqa: PLC0415
 
-    wanted = Path(os.environ.get(VARIABLE) or platformdirs.user_cache_path("eom"))
+    wanted = Path(os.environ.get(VARIABLE) or platformdirs.user_cache_path("eom")).absolute()
     try:
         wanted.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryFile(dir=wanted):
@@ -56,7 +57,9 @@ def kept(name: str, make: Callable[[], bytes]) -> bytes:
     digest, content = found[:DIGEST], found[DIGEST:]
     if digest != hashlib.sha256(content).digest():
         content = make()
-        replace(path, hashlib.sha256(content).digest() + content)
+        # where it cannot be kept it is there all the same
+        with contextlib.suppress(OSError):
+            replace(path, hashlib.sha256(content).digest() + content)
     return content
 
 

@@ -42,7 +42,8 @@ class Calling:
     """A function over lanes that is being written down on a tape of its own."""
 
     def __init__(self, tape: Tape, given: Sequence[tuple[int, ...]]) -> None:
-        self.tape, self.given, self.own = tape, given, Tape()
+        # a coefficient may be in some lanes what it is not in others
+        self.tape, self.given, self.own = tape, given, Tape(vanishing=set(range(len(given))))
         self.ops: list[tuple[int, ...]] = []
         self.constants: list[float] = []
         self.coefficients: list[tuple[int, ...]] = []

@@ -1,6 +1,6 @@
 """Calls over lanes laid out in memory: those of the same function together, in rows of whole vector registers."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -80,11 +80,11 @@ def result_row(tape: Tape, places: Sequence[int], stride: int, done: Sequence[La
     return None
 
 
-def together(tape: Tape, calls: Sequence[int]) -> list[list[tuple[int, int]]]:
-    """The lanes of calls, those of the same function together."""
+def together(tape: Tape, calls: Sequence[int], levels: Mapping[int, int]) -> list[list[tuple[int, int]]]:
+    """The lanes of calls, those of the same function and level together."""
     found: dict[Any, list[tuple[int, int]]] = {}
     for index in calls:
         call = tape.calls[index]
         lanes = [(index, lane) for lane in range(len(call.arguments[0]))]
-        found.setdefault(call.lane, []).extend(lanes)
+        found.setdefault((call.lane, levels[index]), []).extend(lanes)
     return list(found.values())

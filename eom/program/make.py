@@ -34,6 +34,10 @@ class Program:
     plan: Plan
     signature: str
 
+    def __getstate__(self) -> dict[str, Any]:
+        # addresses are those of this process, and code is made again
+        return {"plan": self.plan, "signature": self.signature}
+
     @functools.cached_property
     def address(self) -> int:
         """Of its machine code, which is compiled if it never was."""

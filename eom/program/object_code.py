@@ -1,5 +1,6 @@
 """LLVM's text as machine code that is kept in files: made once, loaded again without the compiler of the text."""
 
+import threading
 from collections.abc import Callable
 from functools import cache
 from importlib import import_module
@@ -10,7 +11,8 @@ from eom.program.cache import kept, key
 ENTRY = "entry"
 """Name of the function that is called."""
 LOADED: dict[str, Any] = {}
-"""What holds the machine code of this process, by the name of its file."""
+"""What holds the machine code of this process, by the name of its file; nothing is ever taken out."""
+LOADING = threading.Lock()
 
 
 def target() -> Any:
@@ -33,14 +35,19 @@ def processor() -> str:
 def address(name: str, text: Callable[[], str]) -> int:
     """Address of the function `ENTRY` of a text, which is asked for if the cache has no machine code of that name."""
     file = f"{name}_{key(processor())}.o"
-    if file not in LOADED:
-        llvm = import_module("llvmlite.binding")
-        code = kept(file, lambda: object_code(text()))
-        engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), target())
-        engine.add_object_file(llvm.ObjectFileRef.from_data(code))
-        engine.finalize_object()
-        LOADED[file] = engine
+    with LOADING:
+        if file not in LOADED:
+            LOADED[file] = loaded(kept(file, lambda: object_code(text())))
     return int(LOADED[file].get_function_address(ENTRY))
+
+
+def loaded(code: bytes) -> Any:
+    """What holds machine code in memory that can be called as long as it lives."""
+    llvm = import_module("llvmlite.binding")
+    engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), target())
+    engine.add_object_file(llvm.ObjectFileRef.from_data(code))
+    engine.finalize_object()
+    return engine
 
 
 def object_code(text: str) -> bytes:

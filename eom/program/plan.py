@@ -63,7 +63,8 @@ class Plan(NamedTuple):
             elif op == Op.PARAMETER:
                 values[place] = numbers.values[args[0]]
             else:
-                values[place] = VALUES[Op(op)](*(values[arg] for arg in args))
+                with np.errstate(all="ignore"):
+                    values[place] = VALUES[Op(op)](*(values[arg] for arg in args))
         return np.array([values[place] for place in self.parameters]).reshape(-1, cases)
 
     def beforehand(self) -> set[int]:
@@ -80,7 +81,9 @@ def traced(
         as_nodes(np.array([tape.node(op, k) for k in range(count)], dtype=object))
         for op, count in ((Op.STATE, states), (Op.INPUT, inputs))
     )
-    groups = equations(x, u, lifted(numbers, tape))
+    # a branch that is not taken may hold what is no number
+    with np.errstate(all="ignore"):
+        groups = equations(x, u, lifted(numbers, tape))
 
     def places(group: Any) -> tuple[int, ...]:
         return tuple((item if hasattr(item, "place") else tape.constant(float(item))).place for item in np.ravel(group))
@@ -116,11 +119,12 @@ def planned(tape: Tape, roots: tuple[tuple[int, ...], ...]) -> Plan:
     times = staged(tape, sorted(level))
     count = 1 + max(times.stage.values(), default=0)
     parameters, late = needed(tape, roots, times, count)
+    call_levels = first_call_levels(tape, level, len(roots))
     layout = Layout(list(parameters), 0)
     launches: list[tuple[Launch, ...]] = []
     for s in range(count):
         own: list[Launch] = []
-        for lanes in together(tape, [index for index, at in times.calls.items() if at == s + 1]):
+        for lanes in together(tape, [index for index, at in times.calls.items() if at == s + 1], call_levels):
             own.append(launched(tape, lanes, layout, [*itertools.chain(*launches), *own]))
         launches.append(tuple(own))
     return Plan(
@@ -131,7 +135,7 @@ def planned(tape: Tape, roots: tuple[tuple[int, ...], ...]) -> Plan:
         slots={place: layout.scratch + k for k, place in enumerate(late)},
         scratch=layout.scratch + len(late),
         parameters=tuple(layout.parameters),
-        call_levels=first_call_levels(tape, level, len(roots)),
+        call_levels=call_levels,
     )
 
 

@@ -78,7 +78,7 @@ class Node:
         nodes = [self, *map(self.lifted, others)]
         values = [node.value for node in nodes]
         if None not in values:
-            return self.tape.constant(float(VALUES[op](*values)))
+            return self.tape.constant(float(VALUES[op](*map(np.float64, values))))
         return self.tape.node(op, *(node.place for node in nodes))
 
     def sin(self) -> "Node":

@@ -18,7 +18,7 @@ from eom.simulation.go import go
 from eom.simulation.signal_pieces import Driven
 from eom.simulation.stiffness import NUDGE
 
-ROOTS: dict[bytes, tuple[float, Array, Array]] = {}
+ROOTS: dict[bytes, tuple[float, Array]] = {}
 """Fastest roots of starts that were searched."""
 REMEMBERED = 1024
 FIRST_STEP = 1e-3
@@ -155,15 +155,12 @@ def beginning(equations: Equations, x: Array, driven: Driven, largest: float) ->
     v[of.X], v[of.SIZE], v[of.GROWING] = x, equations.size, equations.growing
     clock = np.zeros(of.CLOCK)
     clock[of.STEP], clock[of.AGE], clock[of.METHOD_NOW] = min(FIRST_STEP, largest), KEPT, of.DORMAND_PRINCE
-    clock[of.ROOT], v[of.DIRECTION], v[of.MOVED] = fastest_root(equations, x, driven.base)
+    clock[of.ROOT], v[of.DIRECTION] = fastest_root(equations, x, driven.base)
     return clock, v
 
 
-def fastest_root(equations: Equations, x: Array, u: Array) -> tuple[float, Array, Array]:
-    """Magnitude of the fastest root at a state [1/s], its direction, (n,), and the Jacobian times that.
-
-    Runs from the same start share it.
-    """
+def fastest_root(equations: Equations, x: Array, u: Array) -> tuple[float, Array]:
+    """Magnitude of the fastest root at a state [1/s], and its direction, (n,); runs from the same start share it."""
     program, parameters = equations.ready
     key = hashlib.sha256(
         b"".join((program.signature.encode(), parameters.tobytes(), x.tobytes(), u.tobytes()))
@@ -175,19 +172,19 @@ def fastest_root(equations: Equations, x: Array, u: Array) -> tuple[float, Array
     return ROOTS[key]
 
 
-def searched_root(equations: Equations, x: Array, u: Array) -> tuple[float, Array, Array]:
+def searched_root(equations: Equations, x: Array, u: Array) -> tuple[float, Array]:
     """The same by the eigenvalues of the Jacobian, which differences give."""
     steps = NUDGE * (equations.size + equations.growing * np.abs(x))
     at = equations.ready.results(x, u, 0)
     moved = [equations.ready.results(x + step * row, u, 0) for step, row in zip(steps, np.eye(len(x)), strict=True)]
     slopes = (np.array(moved) - at).T / steps
     if not np.all(np.isfinite(slopes)):
-        return 0.0, equations.size.copy(), 0.0 * x
+        return 0.0, equations.size.copy()
     values, vectors = np.linalg.eig(slopes)
     fastest = int(np.argmax(np.abs(values)))
     # of a pair any combination, here one with a share of both parts
     own = vectors[:, fastest].real + vectors[:, fastest].imag
-    return float(np.abs(values[fastest])), own, slopes @ own
+    return float(np.abs(values[fastest])), np.asarray(own)
 
 
 def python_call(program: Program, parameters: Array) -> Callable[..., None]:

@@ -14,7 +14,7 @@ from eom.simulation.advance import GUARD, LOOK, STABLE_4
 from eom.simulation.lane_samples import LaneSamples
 from eom.simulation.lane_steps import Step, crossings
 from eom.simulation.pieces import CURSOR, DEGREE, FIRST, INPUT, LAST
-from eom.simulation.stiffness import NUDGE, ONE
+from eom.simulation.stiffness import NUDGE
 
 if TYPE_CHECKING:
     from eom.simulation.fleet import Fleet
@@ -30,7 +30,7 @@ class Lanes:
         self.base = np.ascontiguousarray(fleet.work[:, : self.inputs].T)
         self.signals = fleet.signals.copy()
         self.x = np.ascontiguousarray(fleet.v[:, of.X].T)
-        self.direction, self.moved = (np.ascontiguousarray(fleet.v[:, k].T) for k in (of.DIRECTION, of.MOVED))
+        self.direction = np.ascontiguousarray(fleet.v[:, of.DIRECTION].T)
         self.size, self.growing = fleet.v[0, of.SIZE][:, np.newaxis], fleet.v[0, of.GROWING][:, np.newaxis]
         self.time, self.root, self.looked = (fleet.clock[:, k].copy() for k in (of.TIME, of.ROOT, of.LOOKED))
         self.status = fleet.status.copy()
@@ -174,13 +174,12 @@ class Lanes:
         due = active & (self.time + step > self.looked + LOOK)
         if not np.any(due):
             return
-        again = self.change(self.moved, f)
-        root = fastest_roots(self.direction, self.moved, again, self.size + self.growing * np.abs(self.x))
-        length = self.size_of(self.moved)
-        good = due & (length > 0.0) & np.isfinite(self.size_of(again))
-        length = np.where(good, length, 1.0)
-        self.direction = np.where(good, self.moved / length, self.direction)
-        self.moved = np.where(good, again / length, self.moved)
+        once = self.change(self.direction, f)
+        again = self.change(once, f)
+        root = fastest_roots(self.direction, once, again, self.size + self.growing * np.abs(self.x))
+        length = self.size_of(again)
+        good = due & (length > 0.0) & np.isfinite(length)
+        self.direction = np.where(good, again / np.where(good, length, 1.0), self.direction)
         self.root = np.where(due & np.isfinite(root), root, self.root)
         self.looked = np.where(due, self.time, self.looked)
 
@@ -247,19 +246,19 @@ class Lanes:
     def hand_back(self, margins: Array) -> None:
         """Leave everything where the next time finds it."""
         fleet = self.fleet
-        fleet.v[:, of.X], fleet.v[:, of.DIRECTION], fleet.v[:, of.MOVED] = self.x.T, self.direction.T, self.moved.T
+        fleet.v[:, of.X], fleet.v[:, of.DIRECTION] = self.x.T, self.direction.T
         fleet.clock[:, of.TIME], fleet.clock[:, of.ROOT], fleet.clock[:, of.LOOKED] = self.time, self.root, self.looked
         fleet.status[:], fleet.signals[:], fleet.margins[:, of.BEFORE] = self.status, self.signals, margins.T
 
 
-def fastest_roots(direction: Array, moved: Array, again: Array, size: Array) -> Array:
+def fastest_roots(direction: Array, once: Array, again: Array, size: Array) -> Array:
     """Magnitudes of the fastest roots [1/s] by directions d, J d and J J d, as `eom.simulation.stiffness.fastest`."""
-    d, e, f = direction / size, moved / size, again / size
+    d, e, f = direction / size, once / size, again / size
     dd, de, ee = np.sum(d * d, axis=0), np.sum(d * e, axis=0), np.sum(e * e, axis=0)
-    df, ef, ff = np.sum(d * f, axis=0), np.sum(e * f, axis=0), np.sum(f * f, axis=0)
+    df, ef = np.sum(d * f, axis=0), np.sum(e * f, axis=0)
     apart = ee * dd - de * de
     a, b = (ef * dd - df * de) / apart, (ee * df - de * ef) / apart
     inner = a * a + 4.0 * b
     real = 0.5 * (np.abs(a) + np.sqrt(np.maximum(inner, 0.0)))
     pair = np.where(inner >= 0.0, real, np.sqrt(np.maximum(-b, 0.0)))
-    return np.asarray(np.where(apart > ONE * ee * dd, pair, np.sqrt(ff / ee)))
+    return np.asarray(np.where(apart > 1e-8 * ee * dd, pair, np.sqrt(ee / dd)))

@@ -3,11 +3,10 @@
 Plain arrays and places in them, which compile fastest.
 """
 
-X, NEW, ERROR, K0, K1, K2, K3, K4, K5, K6, SIZE, GROWING, DIRECTION, MOVED, DRIFT, V0, V1, V2, V3, RIGHT = range(20)
-VECTORS = 20
+X, NEW, ERROR, K0, K1, K2, K3, K4, K5, K6, SIZE, GROWING, DIRECTION, DRIFT, V0, V1, V2, V3, RIGHT = range(19)
+VECTORS = 19
 """Rows of the vectors over the states: state, state and error after a step, rates of its stages, size that counts as
-one and whether the own value adds to it, direction of the fastest root and the Jacobian times it, df/dt, increments of
-implicit stages."""
+one and whether the own value adds to it, direction of the fastest root, df/dt, increments of implicit stages."""
 
 STATES, LIMITS, INPUTS, OUTPUTS, U, PARAMETERS, SCRATCH, RESULTS = range(8)
 """Of the integers that say how many there are of each, and where they begin in the program's memory; results are

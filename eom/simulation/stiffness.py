@@ -4,11 +4,9 @@ from typing import Any
 
 import numpy as np
 
-from eom.simulation.memory import DIRECTION, DRIFT, GROWING, K0, MOVED, NEW, RIGHT, ROOT, SIZE, V0, X
+from eom.simulation.memory import DIRECTION, DRIFT, GROWING, K0, NEW, RIGHT, ROOT, SIZE, V0, V1, X
 from eom.simulation.steps import GAMMA, rates
 
-ONE = 0.01
-"""Square of the sine of the angle between two directions that count as one."""
 NUDGE = 1e-7
 """Relative step of differences."""
 
@@ -25,28 +23,29 @@ def size_of(row: int, v: Any) -> float:
 def fastest(program: Any, t: float, clock: Any, at: Any, v: Any, work: Any, pieces: Any, signals: Any) -> float:
     """Magnitude [1/s] of the fastest root at the state, by iteration along the direction in which rates change most.
 
-    As B. P. Sommeijer, L. F. Shampine, J. G. Verwer, J. Comput. Appl. Math. 88 (1998) 315-326, section 3, but of the
-    last two products: the roots of z^2 = a z + b, where J J d = a J d + b d in least squares, are a pair also if it
-    swings. J d is that of the last time, so that each time costs one evaluation.
+    As B. P. Sommeijer, L. F. Shampine, J. G. Verwer, J. Comput. Appl. Math. 88 (1998) 315-326, section 3, but with two
+    products: the roots of z^2 = a z + b, where J J d = a J d + b d in least squares, are a pair also if it swings.
     """
-    change(program, t, MOVED, V0, at, v, work, pieces, signals)
-    dd = de = ee = df = ef = ff = 0.0
-    for i in range(v.shape[1]):
+    n = v.shape[1]
+    change(program, t, DIRECTION, V0, at, v, work, pieces, signals)
+    change(program, t, V0, V1, at, v, work, pieces, signals)
+    dd = de = ee = df = ef = 0.0
+    for i in range(n):
         size = v[SIZE, i] + v[GROWING, i] * abs(v[X, i])
-        d, e, f = v[DIRECTION, i] / size, v[MOVED, i] / size, v[V0, i] / size
-        dd, de, ee, df, ef, ff = dd + d * d, de + d * e, ee + e * e, df + d * f, ef + e * f, ff + f * f
-    # d and J d of one direction, or nearly: one root; two would follow from small differences of products of two times
+        d, e, f = v[DIRECTION, i] / size, v[V0, i] / size, v[V1, i] / size
+        dd, de, ee, df, ef = dd + d * d, de + d * e, ee + e * e, df + d * f, ef + e * f
+    # d and J d of one direction, or nearly: one root
     apart = ee * dd - de * de
-    if not (apart > ONE * ee * dd):
-        root = (ff / ee) ** 0.5
+    if not (apart > 1e-8 * ee * dd):
+        root = (ee / dd) ** 0.5
     else:
         a, b = (ef * dd - df * de) / apart, (ee * df - de * ef) / apart
         inner = a * a + 4.0 * b
         root = 0.5 * (abs(a) + inner**0.5) if inner >= 0.0 else (-b) ** 0.5
-    length = size_of(MOVED, v)
-    if length > 0.0 and np.isfinite(size_of(V0, v)):
-        for i in range(v.shape[1]):
-            v[DIRECTION, i], v[MOVED, i] = v[MOVED, i] / length, v[V0, i] / length
+    length = size_of(V1, v)
+    if length > 0.0 and np.isfinite(length):
+        for i in range(n):
+            v[DIRECTION, i] = v[V1, i] / length
     return float(root) if np.isfinite(root) else clock[ROOT]
 
 

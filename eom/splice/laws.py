@@ -14,8 +14,6 @@ from eom.tyre.interface import Tyre
 from eom.tyre.stack import stack
 from eom.vehicle.elements import TyreLaw, Wheel
 
-ROWS = 5
-"""Forces and moments that a tyre's formula gives."""
 UNLOADED = 1.0
 """Load [N] that stands for one that nothing tells, of wheels whose linear tyre asks for none."""
 

@@ -44,8 +44,8 @@ class Kernel:
 def compile_forces(tyre: Tyre) -> Kernel:
     """Compile a tyre's formula; several tyres are first made one by `stack`.
 
-    The formula is the very one that NumPy evaluates. The first call for each formula takes seconds, later ones find it
-    in the cache.
+    The formula is the very one that NumPy evaluates. The first call for each formula takes a second or
+    less, later ones find it in the cache.
 
     Raises
     ------

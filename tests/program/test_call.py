@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
@@ -138,3 +139,61 @@ def test_a_star_is_solved_leaf_by_leaf() -> None:
         plan = planned(*traced(solution, gathered([(matrix,)]), size + 1, 0))
         counts.append(sum(len(places) for stage in plan.stages for places in stage))
     assert counts[2] - counts[1] == counts[1] - counts[0]
+
+
+def test_calls_of_one_function_at_two_levels_are_computed_when_they_are_wanted() -> None:
+    """What only the second level wants has arguments that the first one does not know."""
+
+    def both(x: Any, _u: Any, _p: Any) -> tuple[Any, Any]:
+        return np.sin(x[:4]), np.sin(1.0 + 2.0 * x)
+
+    own = gathered([()])
+    plan = planned(*traced(both, own, 5, 0))
+    x = np.linspace(-1.0, 1.0, 5)
+    wanted = np.concatenate(both(x, None, None))
+    parameters = plan.parameter_values(own)
+    for level, count in ((0, 4), (1, 9)):
+        found = of_numbers(plan, numbers_code(plan), parameters[:, 0])(x.tolist(), [], level)
+        cases = of_arrays(plan, arrays_code(plan), np.repeat(parameters, 2, axis=1))
+        lanes = cases(np.stack([x, x], axis=1), np.empty((0, 2)), level)
+        np.testing.assert_allclose(found, wanted[:count], rtol=0.0, atol=1e-15)
+        np.testing.assert_allclose(lanes, np.stack([wanted[:count]] * 2, axis=1), rtol=0.0, atol=1e-15)
+
+
+def guarded(p: Any, x: Any, y: Any) -> tuple[Any, ...]:
+    """A quotient and a logarithm where there is something to divide by."""
+    return np.where(p.a > 0.5, y + x / p.a + np.log(p.a) * x, x + y + p.b), p.c * x
+
+
+def asked(p: Any, x: Any, y: Any) -> tuple[Any, ...]:
+    """A branch on what lanes may differ in."""
+    return np.where(p.a == 1.0, x, y), p.c * p.b * x
+
+
+class Other(Curve):
+    """With an equation of its own."""
+
+    formula = property(lambda _: guarded)  # type: ignore[assignment]
+
+
+class Asking(Curve):
+    """With one that asks."""
+
+    formula = property(lambda _: asked)  # type: ignore[assignment]
+
+
+@pytest.mark.parametrize("a", [np.array([0.3, 0.7, 0.0, 0.6, -0.7]), np.zeros(LANES)])
+def test_a_quotient_that_is_not_taken_may_be_by_zero(a: Array) -> None:
+    some, x = np.linspace(0.3, 0.7, LANES), np.linspace(-1.0, 1.0, 2 * LANES)
+    own = gathered([(Other(a, some, some),)])
+    plan = planned(*traced(over_lanes, own, 2 * LANES, 0))
+    found = of_numbers(plan, numbers_code(plan), plan.parameter_values(own)[:, 0])(x.tolist(), [], 0)
+    with np.errstate(all="ignore"):
+        wanted = np.ravel(guarded(Other(a, some, some), *x.reshape(2, -1)))
+    np.testing.assert_allclose(found, wanted, rtol=0.0, atol=1e-14)
+
+
+def test_a_branch_on_a_coefficient_that_is_one_in_some_lanes_is_refused() -> None:
+    some = np.array([0.3, 1.0, 0.5, 0.6, 0.7])
+    with pytest.raises(TypeError, match="a branch on a number"):
+        plan_of(Asking(some, some, some))

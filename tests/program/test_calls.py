@@ -1,5 +1,6 @@
 """Plain functions as machine code: called for cases, they do what Python does, and are kept without their compiler."""
 
+import pickle
 import subprocess
 import sys
 from typing import Any
@@ -10,6 +11,7 @@ from numpy.typing import NDArray
 
 from eom.program.calls import Calls, Each
 from eom.program.compiled import without_compiler
+from eom.program.make import ready
 
 Array = NDArray[np.float64]
 CASES = 4
@@ -107,3 +109,31 @@ def test_what_was_compiled_is_loaded_without_numba() -> None:
     results = called()[0].tolist()
     found = subprocess.run([sys.executable, "-c", USE], capture_output=True, check=True, text=True)
     assert found.stdout.strip() == f"{results} False"
+
+
+TOGETHER = """
+from concurrent.futures import ThreadPoolExecutor
+from tests.program.test_calls import called
+with ThreadPoolExecutor(4) as pool:
+    print({tuple(found[0].tolist()) for found in pool.map(lambda _: called(), range(40))})
+"""
+
+
+def test_threads_that_load_code_at_the_same_time_share_it() -> None:
+    pytest.importorskip("numba")
+    results = tuple(called()[0].tolist())
+    for _ in range(3):
+        found = subprocess.run([sys.executable, "-c", TOGETHER], capture_output=True, check=True, text=True)
+        assert found.stdout.strip() == str({results})
+
+
+def test_a_program_that_has_run_is_copied_without_its_address() -> None:
+    pytest.importorskip("numba")
+    first = ready(lambda x, _u, _p: (np.sin(x),), (), 5, 0)
+    x = np.linspace(-1.0, 1.0, 5)
+    wanted = first.results(x, np.zeros(0), 0)
+    with without_compiler():
+        first.results(x, np.zeros(0), 0)
+    second = pickle.loads(pickle.dumps(first))  # noqa: S301  our own
+    assert sorted(vars(second.program)) == ["plan", "signature"]
+    assert np.array_equal(second.results(x, np.zeros(0), 0), wanted)
