@@ -187,8 +187,9 @@ def test_a_quotient_that_is_not_taken_may_be_by_zero(a: Array) -> None:
     some, x = np.linspace(0.3, 0.7, LANES), np.linspace(-1.0, 1.0, 2 * LANES)
     own = gathered([(Other(a, some, some),)])
     plan = planned(*traced(over_lanes, own, 2 * LANES, 0))
-    found = of_numbers(plan, numbers_code(plan), plan.parameter_values(own)[:, 0])(x.tolist(), [], 0)
+    program = of_numbers(plan, numbers_code(plan), plan.parameter_values(own)[:, 0])
     with np.errstate(all="ignore"):
+        found = program(x.tolist(), [], 0)
         wanted = np.ravel(guarded(Other(a, some, some), *x.reshape(2, -1)))
     np.testing.assert_allclose(found, wanted, rtol=0.0, atol=1e-14)
 
