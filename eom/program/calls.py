@@ -1,9 +1,8 @@
 """Calls of a plain function for many cases, as machine code where there is a compiler."""
 
 import ctypes
-import inspect
-import itertools
 from collections.abc import Mapping
+from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -19,10 +18,41 @@ CALL = ctypes.CFUNCTYPE(ctypes.c_int32, POINTER, POINTER, WHOLE, POINTER, POINTE
 """How the machine code of `eom.program.loop_text.loop_text` is called."""
 
 
+REAL = Kind("f", 0)
+
+
 class Each(NamedTuple):
     """An argument that is another one in each case."""
 
     values: Any
+
+
+class Form(NamedTuple):
+    """How a function is called.
+
+    Kinds of its arguments; where they stand in a row of a table, or of numbers; lengths of both rows; the entry.
+    """
+
+    kinds: Mapping[str, Kind]
+    places: Mapping[str, int]
+    whole_numbers: int
+    real_numbers: int
+    entry: Any
+
+
+@cache
+def form_of(function: Any, kinds: tuple[tuple[str, Kind], ...]) -> Form:
+    """The form of a function with arguments of some kinds, compiled if it never was."""
+    places: dict[str, int] = {}
+    width = count = 0
+    for name, kind in kinds:
+        places[name] = count if kind == REAL else width
+        width, count = width + kind.width, count + (kind == REAL)
+    own = [kind for _, kind in kinds]
+    code = function.__code__
+    text = f"{function.__module__}.{function.__name__} {code.co_code.hex()} {code.co_consts} {own}"
+    entry = CALL(address(f"loop_{key(text)}", lambda: loop_text(function, own)))
+    return Form(dict(kinds), places, width, count, entry)
 
 
 class Calls:
@@ -42,21 +72,18 @@ class Calls:
         self.compiled = installed()
         if not self.compiled:
             return
-        names = list(inspect.signature(function).parameters)
-        kinds = [kind_of(one(self.arguments[name], 0)) for name in names]
-        self.kinds = dict(zip(names, kinds, strict=True))
-        self.places = dict(zip(names, itertools.accumulate((kind.width for kind in kinds), initial=0), strict=False))
-        self.columns = dict(zip(names, itertools.accumulate((kind == REAL for kind in kinds), initial=0), strict=False))
-        self.table = np.zeros((cases, sum(kind.width for kind in kinds)), dtype=np.int64)
-        self.numbers = np.zeros((cases, kinds.count(REAL)))
+        names = function.__code__.co_varnames[: function.__code__.co_argcount]
+        self.form = form_of(function, tuple((name, kind_of(one(self.arguments[name], 0))) for name in names))
+        self.table = np.zeros((cases, self.form.whole_numbers), dtype=np.int64)
+        self.numbers = np.zeros((cases, self.form.real_numbers))
         self.ignored = np.zeros(2, dtype=np.int64)
-        code = function.__code__
-        text = f"{function.__module__}.{function.__name__} {code.co_code.hex()} {code.co_consts} {kinds}"
-        self.entry = CALL(address(f"loop_{key(text)}", lambda: loop_text(function, kinds)))
         place = place_of(self.ignored)
         self.before = place, place + 8
-        width, count = self.table.shape[1], self.numbers.shape[1]
-        self.after = place_of(self.table), width, place_of(self.numbers), count, place_of(self.results)
+        table, numbers = (
+            (place_of(self.table), self.form.whole_numbers),
+            (place_of(self.numbers), self.form.real_numbers),
+        )
+        self.after = *table, *numbers, place_of(self.results)
         for name in names:
             self.set(name, self.arguments[name])
 
@@ -65,12 +92,12 @@ class Calls:
         if not self.compiled:
             self.arguments[name] = value
             return
-        kind, place = self.kinds[name], self.places[name]
+        kind, place = self.form.kinds[name], self.form.places[name]
         if kind.axes:
             many = value.values if isinstance(value, Each) else [value]
             self.table[:, place : place + kind.width] = [address_and_shape(item, kind) for item in many]
         elif kind == REAL:
-            self.numbers[:, self.columns[name]] = value.values if isinstance(value, Each) else value
+            self.numbers[:, place] = value.values if isinstance(value, Each) else value
         elif kind_of(one(value, 0)) != kind:
             raise ValueError(f"{name}: expected a whole number")
         else:
@@ -82,14 +109,11 @@ class Calls:
         """Call it for some cases."""
         if self.compiled:
             which = np.ascontiguousarray(cases, dtype=np.int64)
-            self.entry(*self.before, len(which), place_of(which), *self.after)
+            self.form.entry(*self.before, len(which), place_of(which), *self.after)
             return
         for case in cases:
             own = {name: one(value, case) for name, value in self.arguments.items()}
             self.results[case] = self.function(**own)
-
-
-REAL = Kind("f", 0)
 
 
 def one(value: Any, case: int) -> Any:

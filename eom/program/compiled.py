@@ -25,14 +25,14 @@ def without_compiler() -> Iterator[None]:
 
 
 @cache
-def found() -> bool:
+def there() -> bool:
     """Whether numba is there; it is loaded only to compile."""
     return find_spec("numba") is not None
 
 
 def installed() -> bool:
     """Whether there is a compiler."""
-    return not HIDDEN and found()
+    return not HIDDEN and there()
 
 
 def kept_plan(signature: str, make: Callable[[], Plan]) -> Plan:

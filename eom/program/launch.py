@@ -2,9 +2,9 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from eom.program.call import Call
+from eom.program.call import Call, Lane
 from eom.program.operations import Op
 from eom.program.tape import Tape
 
@@ -15,12 +15,14 @@ LANE_BLOCK = 4
 class Launch(NamedTuple):
     """Calls of one function over all their lanes at once.
 
-    ``lanes`` are (call, lane) pairs. Rows of ``arguments`` stand at places of the scratch memory, and those in
-    ``filled`` have to be filled in before; the others are there already. Results begin at this place of the scratch
-    memory, coefficients at this one of the parameters; their rows are ``stride`` apart.
+    ``level`` is the first one that needs them, ``lanes`` are (call, lane) pairs. Rows of ``arguments`` stand at places
+    of the scratch memory, and those in ``filled`` have to be filled in before; the others are there already. Results
+    begin at this place of the scratch memory, coefficients at this one of the parameters; their rows are ``stride``
+    apart.
     """
 
     call: Call
+    level: int
     lanes: tuple[tuple[int, int], ...]
     stride: int
     arguments: tuple[int, ...]
@@ -41,21 +43,17 @@ class Layout:
         begin, self.scratch = self.scratch, self.scratch + size
         return begin
 
-    def added(self, places: Sequence[int]) -> int:
-        """Where more parameters begin."""
-        begin = len(self.parameters)
-        self.parameters.extend(places)
-        return begin
 
-
-def launched(tape: Tape, lanes: Sequence[tuple[int, int]], layout: Layout, done: Sequence[Launch]) -> Launch:
-    """The launch of some lanes, after those that are *done*."""
+def launched(
+    tape: Tape, lanes: Sequence[tuple[int, int]], level: int, layout: Layout, done: Sequence[Launch]
+) -> Launch:
+    """The launch of some lanes that a level needs first, after those that are *done*."""
     call = tape.calls[lanes[0][0]]
     stride = -(-len(lanes) // LANE_BLOCK) * LANE_BLOCK
     filling = [*lanes, *[lanes[-1]] * (stride - len(lanes))]
     coefficients = len(layout.parameters)
     for row in range(len(call.coefficients)):
-        layout.added([tape.calls[index].coefficients[row][lane] for index, lane in filling])
+        layout.parameters.extend(tape.calls[index].coefficients[row][lane] for index, lane in filling)
     arguments: list[int] = []
     filled: list[int] = []
     for row in range(len(call.arguments)):
@@ -65,7 +63,7 @@ def launched(tape: Tape, lanes: Sequence[tuple[int, int]], layout: Layout, done:
             filled.append(row)
         arguments.append(layout.room(stride) if there is None else there)
     results = layout.room(stride * call.rows)
-    return Launch(call, tuple(lanes), stride, tuple(arguments), tuple(filled), results, coefficients)
+    return Launch(call, level, tuple(lanes), stride, tuple(arguments), tuple(filled), results, coefficients)
 
 
 def result_row(tape: Tape, places: Sequence[int], stride: int, done: Sequence[Launch]) -> int | None:
@@ -80,11 +78,11 @@ def result_row(tape: Tape, places: Sequence[int], stride: int, done: Sequence[La
     return None
 
 
-def together(tape: Tape, calls: Sequence[int], levels: Mapping[int, int]) -> list[list[tuple[int, int]]]:
-    """The lanes of calls, those of the same function and level together."""
-    found: dict[Any, list[tuple[int, int]]] = {}
+def together(tape: Tape, calls: Sequence[int], levels: Mapping[int, int]) -> list[tuple[int, list[tuple[int, int]]]]:
+    """The lanes of calls, those of the same function and level together, with that level."""
+    found: dict[tuple[Lane, int], list[tuple[int, int]]] = {}
     for index in calls:
         call = tape.calls[index]
         lanes = [(index, lane) for lane in range(len(call.arguments[0]))]
         found.setdefault((call.lane, levels[index]), []).extend(lanes)
-    return list(found.values())
+    return [(level, lanes) for (_, level), lanes in found.items()]

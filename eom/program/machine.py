@@ -51,8 +51,7 @@ def write(plan: Plan, builder: Any, pointers: Sequence[Any], level: Any) -> None
     for stage, launches in enumerate(plan.launches):
         write_stage(plan, stage, memory, level)
         for launch in launches:
-            wanted = min(plan.call_levels[index] for index, _ in launch.lanes)
-            with builder.if_then(builder.icmp_signed(">=", level, constant(integer(), wanted))):
+            with builder.if_then(builder.icmp_signed(">=", level, constant(integer(), launch.level))):
                 write_lanes(launch, memory)
 
 
@@ -65,7 +64,8 @@ def write_stage(plan: Plan, stage: int, memory: Memory, level: Any) -> None:
         for place in plan.stages[stage][k]:
             values.compute(place)
         for item in plan.launches[stage]:
-            fill_lanes(plan, item, k, values)
+            if item.level == k:
+                fill_lanes(plan, item, values)
         if stage == len(plan.stages) - 1:
             first = sum(len(group) for group in plan.roots[:k])
             for row, place in enumerate(plan.roots[k]):
@@ -77,13 +77,12 @@ def write_stage(plan: Plan, stage: int, memory: Memory, level: Any) -> None:
     write_level(0)
 
 
-def fill_lanes(plan: Plan, item: Launch, level: int, values: "Values") -> None:
-    """Set the arguments of a launch that are not there already, of the calls that a level needs first."""
+def fill_lanes(plan: Plan, item: Launch, values: "Values") -> None:
+    """Set the arguments of a launch that are not there already."""
     for lane, (index, own) in enumerate(item.lanes):
-        if plan.call_levels[index] == level:
-            for row in item.filled:
-                place = plan.tape.calls[index].arguments[row][own]
-                values.memory.store(values.of(place), "scratch", item.arguments[row] + lane)
+        for row in item.filled:
+            place = plan.tape.calls[index].arguments[row][own]
+            values.memory.store(values.of(place), "scratch", item.arguments[row] + lane)
 
 
 class Values:

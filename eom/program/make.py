@@ -4,7 +4,7 @@ import ctypes
 import functools
 import hashlib
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from types import CodeType
 from typing import Any, NamedTuple
 
@@ -29,14 +29,18 @@ class Program:
     plan : Plan
     signature : str
         Of the structure: programs with the same one are the same.
+    states, inputs : int
+        How many there are.
     """
 
     plan: Plan
     signature: str
+    states: int
+    inputs: int
 
     def __getstate__(self) -> dict[str, Any]:
         # addresses are those of this process, and code is made again
-        return {"plan": self.plan, "signature": self.signature}
+        return {field.name: getattr(self, field.name) for field in fields(self)}
 
     @functools.cached_property
     def address(self) -> int:
@@ -69,7 +73,13 @@ class Ready(NamedTuple):
     parameters: Array
 
     def results(self, x: Array, u: Array, level: int) -> Array:
-        """Results of the first levels up to one, compiled where there is a compiler."""
+        """Results of the first levels up to one, compiled where there is a compiler.
+
+        Raises ``ValueError`` if there are not as many states or inputs as the program has.
+        """
+        if len(x) != self.program.states or len(u) != self.program.inputs:
+            expected = f"expected {self.program.states} states and {self.program.inputs} inputs"
+            raise ValueError(f"{expected}, got {len(x)} and {len(u)}")
         if not installed():
             with np.errstate(all="ignore"):
                 return self.program.of_numbers(self.parameters)(x.tolist(), u.tolist(), level)
@@ -107,5 +117,5 @@ def program(function: Callable[..., Any], numbers: Numbers, states: int, inputs:
         return planned(*traced(function, numbers, states, inputs))
 
     if signature not in MADE:
-        MADE[signature] = Program(kept_plan(signature, make) if installed() else make(), signature)
+        MADE[signature] = Program(kept_plan(signature, make) if installed() else make(), signature, states, inputs)
     return MADE[signature]

@@ -31,8 +31,6 @@ class Plan(NamedTuple):
         Size of that memory.
     parameters : tuple of int
         Places of what is computed beforehand, in the order of the parameters.
-    call_levels : dict
-        The first level that needs each call.
     """
 
     tape: Tape
@@ -42,7 +40,6 @@ class Plan(NamedTuple):
     slots: dict[int, int]
     scratch: int
     parameters: tuple[int, ...]
-    call_levels: dict[int, int]
 
     @property
     def ends(self) -> tuple[int, ...]:
@@ -124,8 +121,10 @@ def planned(tape: Tape, roots: tuple[tuple[int, ...], ...]) -> Plan:
     launches: list[tuple[Launch, ...]] = []
     for s in range(count):
         own: list[Launch] = []
-        for lanes in together(tape, [index for index, at in times.calls.items() if at == s + 1], call_levels):
-            own.append(launched(tape, lanes, layout, [*itertools.chain(*launches), *own]))
+        for own_level, lanes in together(
+            tape, [index for index, at in times.calls.items() if at == s + 1], call_levels
+        ):
+            own.append(launched(tape, lanes, own_level, layout, [*itertools.chain(*launches), *own]))
         launches.append(tuple(own))
     return Plan(
         tape=tape,
@@ -135,7 +134,6 @@ def planned(tape: Tape, roots: tuple[tuple[int, ...], ...]) -> Plan:
         slots={place: layout.scratch + k for k, place in enumerate(late)},
         scratch=layout.scratch + len(late),
         parameters=tuple(layout.parameters),
-        call_levels=call_levels,
     )
 
 

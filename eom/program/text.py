@@ -97,9 +97,8 @@ class Text:
                     if place not in self.inlined:
                         yield Statement(level, place, 0, tuple(self.taken(needs(self.tape, place))))
             for launch in own:
-                level = min(self.plan.call_levels[index] for index, _ in launch.lanes)
                 rows = [self.row(launch, row) for row in launch.filled]
-                yield Statement(level, None, count, tuple(self.taken(place for row in rows for place in row)))
+                yield Statement(launch.level, None, count, tuple(self.taken(place for row in rows for place in row)))
                 count += 1
 
     def row(self, launch: Launch, row: int) -> list[int]:

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from eom.simulation.accepted import accept, note, take_samples
+from eom.simulation.accepted import accept, look, note, take_samples
 from eom.simulation.memory import (
     AGE,
     AUTOMATIC,
@@ -58,6 +58,7 @@ KEPT = 20
 
 
 def advance(
+    looking: bool,
     program: Any,
     until: float,
     pause: float,
@@ -86,9 +87,14 @@ def advance(
     After the step that reaches *pause* [s] it stops, to be called again; the steps are the same with any pause. A
     sample at its end is taken if that is *closed*; else it is left for the next time, when inputs may have changed.
 
+    Just *looking* it goes nowhere, but sets inputs and outputs to those at the instant.
+
     *times* are instants of samples, whose *columns* are kept in *rows*. Steps end at *stops* [s], where an input or
     its slope jumps.
     """
+    if looking:
+        look(program, clock[TIME], at, v, work, pieces, signals)
+        return DONE
     stop = 0
     while stop < len(stops) and stops[stop] <= clock[TIME]:
         stop += 1

@@ -12,9 +12,8 @@ from eom.program.calls import Calls
 from eom.program.compiled import installed
 from eom.program.make import Program
 from eom.simulation import memory as of
-from eom.simulation.advance import KEPT
+from eom.simulation.advance import KEPT, advance
 from eom.simulation.equations import Equations
-from eom.simulation.go import go
 from eom.simulation.signal_pieces import Driven
 from eom.simulation.stiffness import NUDGE
 
@@ -133,7 +132,7 @@ def engine(
         "factors": np.zeros((n, n)),
         "pivots": np.zeros(n, dtype=np.int64),
     }
-    return Engine(calls=Calls(go, 1, {**own, **rest}), room=room, events=[], driven=driven, **own)
+    return Engine(calls=Calls(advance, 1, {**own, **rest}), room=room, events=[], driven=driven, **own)
 
 
 def places(program: Program, inputs: int) -> tuple[Any, int]:

@@ -15,11 +15,11 @@ from eom.program.compiled import installed
 from eom.program.make import Program, Ready
 from eom.program.plain import Plain
 from eom.simulation import memory as of
+from eom.simulation.advance import advance
 from eom.simulation.channels import Event
 from eom.simulation.divergence import DIVERGING, divergence
 from eom.simulation.engine import beginning, places, python_call, room_of
 from eom.simulation.equations import Equations
-from eom.simulation.go import go
 from eom.simulation.lanes import Lanes
 from eom.simulation.pieces import DEGREE, FIRST, INPUT, LAST
 from eom.simulation.report import sentence
@@ -220,7 +220,7 @@ def fleet(
         inputs=inputs,
         threads=threads or os.cpu_count() or 1,
         room=room,
-        calls=Calls(go, cases, {**own, **rest, **{name: Each(item) for name, item in {**each, **alone}.items()}}),
+        calls=Calls(advance, cases, {**own, **rest, **{name: Each(item) for name, item in {**each, **alone}.items()}}),
         **own,
         **each,
     )

@@ -24,7 +24,7 @@ class Lanes:
     """All cases of a fleet side by side, last axis."""
 
     def __init__(self, fleet: "Fleet") -> None:
-        self.fleet, self.cases = fleet, np.arange(len(fleet.clock))
+        self.fleet = fleet
         self.n, self.limits, self.inputs = (int(fleet.at[k]) for k in (of.STATES, of.LIMITS, of.INPUTS))
         self.program = fleet.over_cases
         self.base = np.ascontiguousarray(fleet.work[:, : self.inputs].T)
@@ -34,7 +34,7 @@ class Lanes:
         self.size, self.growing = fleet.v[0, of.SIZE][:, np.newaxis], fleet.v[0, of.GROWING][:, np.newaxis]
         self.time, self.root, self.looked = (fleet.clock[:, k].copy() for k in (of.TIME, of.ROOT, of.LOOKED))
         self.status = fleet.status.copy()
-        self.stop = np.zeros(len(self.cases), dtype=np.int64)
+        self.stop = np.zeros(len(self.time), dtype=np.int64)
         self.margins = np.ascontiguousarray(fleet.margins[:, of.BEFORE].T)
         self.samples = LaneSamples(fleet, self.x, self.base)
 
@@ -73,13 +73,12 @@ class Lanes:
 
     def go_on(self, until: Array, pause: float, closed: Any) -> None:
         """Go on to instants [s], one for every case of the fleet, or past a pause."""
-        room = self.fleet.room
-        until, pausing, closed = until[self.cases], np.minimum(until[self.cases], pause), closed[self.cases]
+        pausing = np.minimum(until, pause)
         self.find_stops()
         active = (self.status == of.DONE) & (self.time < pausing)
         if not np.any(active):
             return
-        f, margins = self.start(self.margins, active, room)
+        f, margins = self.start(self.margins, active)
         begun = active | ((self.status == of.TERMINAL) & (self.time < pausing))
         try:
             self.sample(Step(self.time, 0.0 * self.time, self.x, self.x, f, f), self.time, begun, begun)
@@ -87,13 +86,12 @@ class Lanes:
         finally:
             # also of what is interrupted
             self.samples.evaluate()
-        self.hand_back(margins)
+            self.hand_back(margins)
 
     def steps(
         self, until: Array, pausing: Array, closed: Any, active: Any, f: Array, margins: Array
     ) -> tuple[Array, Array]:
         """Steps of all cases side by side until none is active; rates and margins at their ends."""
-        room = self.fleet.room
         while np.any(active):
             self.look(f, active)
             following = self.following()
@@ -108,23 +106,23 @@ class Lanes:
             self.ended(active & ~(wrong <= GUARD), of.INACCURATE, active)
             taken = Step(self.time, np.where(active, h, 0.0), self.x, np.where(active, new, self.x), f, f_new)
             now = np.where(active, np.where(h == left, end, self.time + h), self.time)
-            reach = self.events(taken, margins, new_margins, active, room)
+            reach = self.events(taken, margins, new_margins, active)
             cut = active & (reach <= 1.0)
             ended = np.where(cut, taken.t + reach * taken.h, now)
             self.sample(taken, ended, active, closed | (ended < until))
             self.x = np.where(cut, taken.at(np.where(cut, reach, 1.0)), taken.new)
             self.status[cut] = of.TERMINAL
-            self.fleet.counts[self.cases[active], of.RUNGE_KUTTA] += 1
+            self.fleet.counts[active, of.RUNGE_KUTTA] += 1
             f, margins = np.where(active, f_new, f), np.where(active, new_margins, margins)
             joint, self.time = active & ~cut & (now == following) & (now < until), ended
             self.stop += joint
             active &= ~cut
             if np.any(joint):
-                found = self.start(margins, joint, room)
+                found = self.start(margins, joint)
                 f, margins = np.where(joint, found[0], f), np.where(joint, found[1], margins)
                 active &= self.status == of.DONE
             active &= self.time < pausing
-            if np.any(self.fleet.counts[self.cases, of.EVENTS] + self.limits > room.shape[1]):
+            if np.any(self.fleet.counts[:, of.EVENTS] + self.limits > self.fleet.room.shape[1]):
                 # more room is made before it goes on
                 self.ended(active.copy(), of.FULL, active)
         return f, margins
@@ -138,35 +136,34 @@ class Lanes:
 
     def find_stops(self) -> None:
         """The stop that comes next in each case."""
-        for k, c in enumerate(self.cases):
+        for c in range(len(self.time)):
             own = self.fleet.stops[self.fleet.stops_first[c] : self.fleet.stops_first[c + 1]]
-            self.stop[k] = self.fleet.stops_first[c] + np.searchsorted(own, self.time[k], side="right")
+            self.stop[c] = self.fleet.stops_first[c] + np.searchsorted(own, self.time[c], side="right")
 
     def following(self) -> Array:
         """The instant [s] of the next stop of each case."""
-        there = self.stop < self.fleet.stops_first[self.cases + 1]
+        there = self.stop < self.fleet.stops_first[1:]
         padded = np.append(self.fleet.stops, np.inf)
         return np.where(there, padded[np.minimum(self.stop, len(self.fleet.stops))], np.inf)
 
-    def start(self, before: Array, starting: Any, room: Array) -> tuple[Array, Array]:
+    def start(self, before: Array, starting: Any) -> tuple[Array, Array]:
         """Rates and margins at the instants from which to go on; limits that are crossed there in cases that start."""
         found = self.results(self.time, np.zeros(len(self.time), dtype=bool), self.x, 1)
         f, margins = found[: self.n], found[self.n :]
         limit, lane = np.nonzero(((before < 0.0) != (margins < 0.0)) & starting)
         for k in np.lexsort((limit, lane)):
             reached = bool(margins[limit[k], lane[k]] < 0.0)
-            self.note(lane[k], self.time[lane[k]], limit[k], reached, self.x[:, lane[k]], room)
+            self.note(lane[k], self.time[lane[k]], limit[k], reached, self.x[:, lane[k]])
             if reached and self.fleet.terminal[limit[k]]:
                 self.status[lane[k]] = of.TERMINAL
         return f, margins
 
-    def note(self, lane: int, t: float, limit: int, reached: bool, x: Array, room: Array) -> None:
+    def note(self, lane: int, t: float, limit: int, reached: bool, x: Array) -> None:
         """Write an event down; there is room for those of many steps, and one case that has none left is wrong."""
-        case = self.cases[lane]
-        event = self.fleet.counts[case, of.EVENTS]
-        room[case, event, : of.EVENT_STATE] = t, limit, reached
-        room[case, event, of.EVENT_STATE :] = x
-        self.fleet.counts[case, of.EVENTS] += 1
+        room, event = self.fleet.room[lane], self.fleet.counts[lane, of.EVENTS]
+        room[event, : of.EVENT_STATE] = t, limit, reached
+        room[event, of.EVENT_STATE :] = x
+        self.fleet.counts[lane, of.EVENTS] += 1
 
     def look(self, f: Array, active: Any) -> None:
         """Look for the fastest roots again where it is time, as `eom.simulation.stiffness.fastest`."""
@@ -205,7 +202,7 @@ class Lanes:
         self.status[cases] = status
         active &= ~cases
 
-    def events(self, step: Step, margins: Array, new: Array, active: Any, room: Array) -> Array:
+    def events(self, step: Step, margins: Array, new: Array, active: Any) -> Array:
         """Note the limits that are crossed in a step; the share of it after which each case ends, 2 if it does not."""
         reach = np.full(len(self.time), 2.0)
         limit, lane = np.nonzero(((margins < 0.0) != (new < 0.0)) & active)
@@ -227,7 +224,7 @@ class Lanes:
         for k in np.lexsort((limit, lane)):
             if share[k] <= min(reach[lane[k]], 1.0):
                 at = step.t[lane[k]] + share[k] * step.h[lane[k]]
-                self.note(lane[k], at, limit[k], bool(reached[k]), states[:, k], room)
+                self.note(lane[k], at, limit[k], bool(reached[k]), states[:, k])
         return reach
 
     def sample(self, step: Step, end: Array, active: Any, closed: Any) -> None:
@@ -235,7 +232,7 @@ class Lanes:
         fleet, counts = self.fleet, self.fleet.counts
         padded = np.append(fleet.times, np.inf)
         while True:
-            instants = padded[np.minimum(counts[self.cases, of.SAMPLES], len(fleet.times))]
+            instants = padded[np.minimum(counts[:, of.SAMPLES], len(fleet.times))]
             due = np.flatnonzero(active & ((instants < end) | ((instants == end) & closed)))
             if not due.size:
                 return

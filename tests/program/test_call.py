@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from scipy.linalg import solve
 
 from eom.program.call import Lane
+from eom.program.make import ready
 from eom.program.numbers import gathered
 from eom.program.operations import Op
 from eom.program.plain import arrays_code, numbers_code, of_arrays, of_numbers
@@ -173,13 +174,13 @@ def asked(p: Any, x: Any, y: Any) -> tuple[Any, ...]:
 class Other(Curve):
     """With an equation of its own."""
 
-    formula = property(lambda _: guarded)  # type: ignore[assignment]
+    formula = property(lambda _: guarded)
 
 
 class Asking(Curve):
     """With one that asks."""
 
-    formula = property(lambda _: asked)  # type: ignore[assignment]
+    formula = property(lambda _: asked)
 
 
 @pytest.mark.parametrize("a", [np.array([0.3, 0.7, 0.0, 0.6, -0.7]), np.zeros(LANES)])
@@ -198,3 +199,10 @@ def test_a_branch_on_a_coefficient_that_is_one_in_some_lanes_is_refused() -> Non
     some = np.array([0.3, 1.0, 0.5, 0.6, 0.7])
     with pytest.raises(TypeError, match="a branch on a number"):
         plan_of(Asking(some, some, some))
+
+
+def test_a_program_refuses_vectors_of_other_lengths() -> None:
+    made = ready(lambda x, u, _p: (x * u[0],), (), 3, 1)
+    for x, u in ((np.zeros(2), np.zeros(1)), (np.zeros(3), np.zeros(2)), (np.zeros(4), np.zeros(0))):
+        with pytest.raises(ValueError, match=f"expected 3 states and 1 inputs, got {len(x)} and {len(u)}"):
+            made.results(x, u, 0)

@@ -135,5 +135,5 @@ def test_a_program_that_has_run_is_copied_without_its_address() -> None:
     with without_compiler():
         first.results(x, np.zeros(0), 0)
     second = pickle.loads(pickle.dumps(first))  # noqa: S301  our own
-    assert sorted(vars(second.program)) == ["plan", "signature"]
+    assert sorted(vars(second.program)) == ["inputs", "plan", "signature", "states"]
     assert np.array_equal(second.results(x, np.zeros(0), 0), wanted)

@@ -339,6 +339,7 @@ def test_an_interrupt_between_steps_in_numpy_keeps_every_sample_until_then(
     with no_compiler(), pytest.raises(RunInterrupted) as stopped:
         simulate_many(fresh(), cases, 0.6, **ask)
     partial: Runs = stopped.value.partial
+    assert 0.009 * steps <= float(str(stopped.value).split()[2]) <= 0.01 * steps + 1e-9
     for name in wanted.signals:
         for found, whole in zip(partial.of(name), wanted.of(name), strict=True):
             taken = int(np.sum(~np.isnan(found)))
