@@ -1,6 +1,7 @@
 """A plan as the text of a Python function, of numbers or of arrays over cases."""
 
 import itertools
+from abc import ABC, abstractmethod
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
@@ -31,7 +32,7 @@ def launches(plan: Plan) -> list[Launch]:
     return [launch for stage in plan.launches for launch in stage]
 
 
-class Text:
+class Text(ABC):
     """The text of ``program(p, calls, w, x, u, level)`` and of the functions over lanes that it calls.
 
     It takes parameters; rows of each call, see `lane_lines`; rows for what is between; states and inputs. This is what
@@ -56,17 +57,17 @@ class Text:
         """Names of values that are not as others."""
         return {}
 
+    @abstractmethod
     def assigned(self, place: int) -> str:
         """The statement that computes a value."""
-        raise NotImplementedError
 
+    @abstractmethod
     def beginning(self) -> Iterator[str]:
         """What comes before all statements, asked for when these are written."""
-        raise NotImplementedError
 
+    @abstractmethod
     def end(self) -> Iterator[str]:
         """What comes after all statements."""
-        raise NotImplementedError
 
     def whole(self) -> str:
         """All of it."""
