@@ -13,7 +13,7 @@ import numpy as np
 from eom.assembly.vectors import Array
 from eom.program.compiled import compiled_program, installed, kept_plan
 from eom.program.numbers import Numbers, gathered
-from eom.program.plain import Plain, arrays_code, numbers_code, of_arrays, of_numbers
+from eom.program.plain import OverCases, Plain, arrays_code, numbers_code, of_numbers
 from eom.program.plan import Plan, planned, traced
 
 CALL = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 5, ctypes.c_int64)
@@ -61,9 +61,9 @@ class Program:
         """The same in plain Python for one case, (parameters,)."""
         return of_numbers(self.plan, self.numbers_code, parameters)
 
-    def of_arrays(self, parameters: Array) -> Plain:
+    def of_arrays(self, parameters: Array) -> OverCases:
         """The same in NumPy for many cases at once, (parameters, cases)."""
-        return of_arrays(self.plan, self.arrays_code, parameters)
+        return OverCases(self.plan, self.arrays_code, parameters)
 
 
 class Ready(NamedTuple):

@@ -1,10 +1,9 @@
 """A plan as plain Python: numbers for one case, NumPy's arrays for many cases at once; needs no compiler."""
 
-import functools
 import math
 from collections.abc import Callable, Sequence
 from types import CodeType
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -89,18 +88,44 @@ def arrays_code(plan: Plan) -> tuple[CodeType, int]:
 def of_numbers(plan: Plan, code: CodeType, parameters: Array) -> Plain:
     """The program of one case, (parameters,)."""
     program = bound(code, {**COMMON, **NUMBERS})
-    calls, own = rows_of_calls(plan, parameters), parameters.tolist()
+    rows, own = rows_of(plan), parameters.tolist()
+    parts = rows.of(np.empty(rows.size), ())
+    calls = [(coefficients(launch, parameters), *part) for launch, part in zip(launches(plan), parts, strict=True)]
     return lambda x, u, level: np.array(program(own, calls, (), x, u, level))
 
 
-def of_arrays(plan: Plan, code: tuple[CodeType, int], parameters: Array) -> Plain:
-    """The program of many cases, (parameters, cases)."""
-    cases, ends = parameters.shape[1], plan.ends
-    program = bound(code[0], {**COMMON, "empty": lambda level: np.empty((ends[level], cases))})
-    # what is the same in all cases need not be read for each of them
-    same = np.all(parameters == parameters[:, :1], axis=1)
-    own = [np.array(row[0]) if one else row for row, one in zip(parameters, same, strict=True)]
-    return functools.partial(program, own, rows_of_calls(plan, parameters), list(np.empty((code[1], cases))))
+class OverCases:
+    """The program of many cases, whose parameters are (parameters, cases)."""
+
+    def __init__(self, plan: Plan, code: tuple[CodeType, int], parameters: Array) -> None:
+        self.plan, self.between, self.rows = plan, code[1], rows_of(plan)
+        self.memory = np.empty(0)
+        self.program = bound(code[0], {**COMMON, "empty": self.empty})
+        # what is the same in all cases need not be read for each of them
+        same = np.all(parameters == parameters[:, :1], axis=1)
+        self.parameters = [np.array(row[0]) if one else row for row, one in zip(parameters, same, strict=True)]
+        self.coefficients = [list(coefficients(launch, parameters)) for launch in launches(plan)]
+
+    def __call__(self, x: Array, u: Array, level: int, which: Any = None) -> Array:
+        """Results of states and inputs, a column a case: of all cases, or those *which* are listed."""
+        self.columns = x.shape[1]
+        size = (self.between + self.rows.size) * self.columns
+        if size > self.memory.size:
+            self.memory = np.empty(size)
+        parameters, own = self.parameters, self.coefficients
+        if which is not None:
+            parameters = [row[which] if row.ndim else row for row in parameters]
+            own = [[row[:, which] if row.shape[1] > 1 else row for row in rows] for rows in own]
+        begin = self.between * self.columns
+        parts = self.rows.of(self.memory[begin:size], (self.columns,))
+        calls = [(coefficients_, *part) for coefficients_, part in zip(own, parts, strict=True)]
+        between = list(self.memory[:begin].reshape(self.between, self.columns))
+        found: Array = self.program(parameters, calls, between, x, u, level)
+        return found
+
+    def empty(self, level: int) -> Array:
+        """Room for the results of levels up to one."""
+        return np.empty((self.plan.ends[level], self.columns))
 
 
 def bound(code: CodeType, names: dict[str, Any]) -> Any:
@@ -110,23 +135,45 @@ def bound(code: CodeType, names: dict[str, Any]) -> Any:
     return space["program"]
 
 
-def rows_of_calls(plan: Plan, parameters: Array) -> list[tuple[Any, ...]]:
-    """For each launch rows over lanes: of coefficients, for arguments, for results, and for what is between.
+class Rows(NamedTuple):
+    """How many rows over how many lanes calls need, at most, beside those of results."""
 
-    They are made once: memory that comes and goes costs more time than what NumPy computes in it.
-    """
-    own, cases = launches(plan), parameters.shape[1:]
-    wide = max((len(launch.lanes) for launch in own), default=0)
-    filled = max((len(launch.filled) for launch in own), default=0)
-    between = max((row_count(launch.call.lane) for launch in own), default=0)
-    memory = np.empty((filled + between, wide, *cases))
-    calls = []
-    for launch in own:
-        lanes = len(launch.lanes)
-        rows = list(memory[:, :lanes])
-        results = np.empty((launch.call.rows, lanes, *cases))
-        calls.append((list(coefficients(launch, parameters)), rows[:filled], results, rows[filled:]))
-    return calls
+    filled: int
+    between: int
+    wide: int
+    results: tuple[tuple[int, int], ...]
+
+    @property
+    def size(self) -> int:
+        """Numbers in all of them."""
+        return (self.filled + self.between) * self.wide + sum(rows * lanes for rows, lanes in self.results)
+
+    def of(self, memory: Array, columns: tuple[int, ...]) -> list[tuple[Array, Array, Array]]:
+        """For each launch rows over lanes for arguments, results, and what is between, one after the other in memory.
+
+        Memory is made once: what comes and goes costs more time than what NumPy computes in it.
+        """
+        width = math.prod(columns)
+        begin = (self.filled + self.between) * self.wide * width
+        shared = memory[:begin].reshape(self.filled + self.between, self.wide, *columns)
+        found = []
+        for rows, lanes in self.results:
+            end = begin + rows * lanes * width
+            own = memory[begin:end].reshape(rows, lanes, *columns)
+            found.append((shared[: self.filled, :lanes], own, shared[self.filled :, :lanes]))
+            begin = end
+        return found
+
+
+def rows_of(plan: Plan) -> Rows:
+    """The rows of a plan's calls."""
+    own = launches(plan)
+    return Rows(
+        filled=max((len(launch.filled) for launch in own), default=0),
+        between=max((row_count(launch.call.lane) for launch in own), default=0),
+        wide=max((len(launch.lanes) for launch in own), default=0),
+        results=tuple((launch.call.rows, len(launch.lanes)) for launch in own),
+    )
 
 
 def coefficients(launch: Launch, parameters: Array) -> Array:

@@ -13,7 +13,7 @@ from eom.assembly.vectors import Array
 from eom.program.calls import Calls, Each
 from eom.program.compiled import installed
 from eom.program.make import Program, Ready
-from eom.program.plain import Plain
+from eom.program.plain import OverCases
 from eom.simulation import memory as of
 from eom.simulation.advance import advance
 from eom.simulation.channels import Event
@@ -131,7 +131,7 @@ class Fleet:
         return self.inputs[case].why if at >= self.inputs[case].until else ""
 
     @functools.cached_property
-    def over_cases(self) -> Plain:
+    def over_cases(self) -> OverCases:
         """The program for all cases at once in NumPy."""
         return self.program.of_arrays(self.parameters)
 

@@ -61,15 +61,11 @@ class Lanes:
 
     def results(self, t: Array, before: Any, x: Array, level: int, cases: Any = None) -> Array:
         """Results of some cases, or all, at instants and states, (results, cases), of levels up to one."""
-        if cases is None:
-            return self.program(x, self.fill(t, before, slice(None)), level)
-        own = self.fleet.program.of_arrays(self.fleet.parameters[:, cases])
-        return own(x, self.fill(t, before, cases), level)
+        return self.program(x, self.fill(t, before, slice(None) if cases is None else cases), level, cases)
 
-    def size_of(self, change: Array) -> Array:
-        """Root mean square of changes of the states over their size, (cases,)."""
-        ratio = change / (self.size + self.growing * np.abs(self.x))
-        return np.asarray(np.sqrt(np.mean(ratio * ratio, axis=0)))
+    def sizes(self, x: Array) -> Array:
+        """Sizes of the states that count as one, (n, cases)."""
+        return np.asarray(self.size + self.growing * np.abs(x))
 
     def go_on(self, until: Array, pause: float, closed: Any) -> None:
         """Go on to instants [s], one for every case of the fleet, or past a pause."""
@@ -101,7 +97,7 @@ class Lanes:
             h = left / np.maximum(parts, 1.0)
             self.ended(active & (h * self.root > STABLE_4), of.UNSTABLE, active)
             new, f_new, new_margins, error = self.step(h, f)
-            wrong = self.size_of(error) / self.fleet.settings[of.TOLERANCE]
+            wrong = size_of(error, self.sizes(self.x)) / self.fleet.settings[of.TOLERANCE]
             self.ended(active & ~np.isfinite(wrong), of.DIVERGED, active)
             self.ended(active & ~(wrong <= GUARD), of.INACCURATE, active)
             taken = Step(self.time, np.where(active, h, 0.0), self.x, np.where(active, new, self.x), f, f_new)
@@ -168,24 +164,27 @@ class Lanes:
     def look(self, f: Array, active: Any) -> None:
         """Look for the fastest roots again where it is time, as `eom.simulation.stiffness.fastest`."""
         step = min(self.fleet.settings[of.LARGEST], LOOK)
-        due = active & (self.time + step > self.looked + LOOK)
-        if not np.any(due):
+        due = np.flatnonzero(active & (self.time + step > self.looked + LOOK))
+        if not due.size:
             return
-        once = self.change(self.direction, f)
-        again = self.change(once, f)
-        root = fastest_roots(self.direction, once, again, self.size + self.growing * np.abs(self.x))
-        length = self.size_of(again)
-        good = due & (length > 0.0) & np.isfinite(length)
-        self.direction = np.where(good, again / np.where(good, length, 1.0), self.direction)
-        self.root = np.where(due & np.isfinite(root), root, self.root)
-        self.looked = np.where(due, self.time, self.looked)
+        t, x, direction = self.time[due], self.x[:, due], self.direction[:, due]
+        size = self.sizes(x)
 
-    def change(self, direction: Array, f: Array) -> Array:
-        """The Jacobians times directions, by differences."""
-        length = self.size_of(direction)
-        step = NUDGE / np.where(length > 0.0, length, np.inf)
-        near = self.results(self.time, np.zeros(len(self.time), dtype=bool), self.x + step * direction, 0)
-        return np.asarray(np.where(step > 0.0, (near - f) / np.where(step > 0.0, step, 1.0), 0.0))
+        def change(direction: Array) -> Array:
+            """The Jacobians times directions, by differences."""
+            length = size_of(direction, size)
+            step = NUDGE / np.where(length > 0.0, length, np.inf)
+            near = self.results(t, np.zeros(len(due), dtype=bool), x + step * direction, 0, due)
+            return np.asarray(np.where(step > 0.0, (near - f[:, due]) / np.where(step > 0.0, step, 1.0), 0.0))
+
+        once = change(direction)
+        again = change(once)
+        root = fastest_roots(direction, once, again, size)
+        length = size_of(again, size)
+        good = (length > 0.0) & np.isfinite(length)
+        self.direction[:, due] = np.where(good, again / np.where(good, length, 1.0), direction)
+        self.root[due] = np.where(np.isfinite(root), root, self.root[due])
+        self.looked[due] = t
 
     def step(self, h: Array, f: Array) -> tuple[Array, Array, Array, Array]:
         """State, rates, margins at the end of a step, and its error, as `eom.simulation.steps.runge_kutta`."""
@@ -246,6 +245,12 @@ class Lanes:
         fleet.v[:, of.X], fleet.v[:, of.DIRECTION] = self.x.T, self.direction.T
         fleet.clock[:, of.TIME], fleet.clock[:, of.ROOT], fleet.clock[:, of.LOOKED] = self.time, self.root, self.looked
         fleet.status[:], fleet.signals[:], fleet.margins[:, of.BEFORE] = self.status, self.signals, margins.T
+
+
+def size_of(change: Array, size: Array) -> Array:
+    """Root mean square of changes of the states over their sizes, (cases,)."""
+    ratio = change / size
+    return np.asarray(np.sqrt(np.mean(ratio * ratio, axis=0)))
 
 
 def fastest_roots(direction: Array, once: Array, again: Array, size: Array) -> Array:

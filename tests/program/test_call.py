@@ -15,7 +15,7 @@ from eom.program.call import Lane
 from eom.program.make import ready
 from eom.program.numbers import gathered
 from eom.program.operations import Op
-from eom.program.plain import arrays_code, numbers_code, of_arrays, of_numbers
+from eom.program.plain import OverCases, arrays_code, numbers_code, of_numbers
 from eom.program.plan import Plan, planned, traced
 from eom.splice.lanes import solve_positive
 
@@ -73,7 +73,7 @@ def test_lanes_give_what_numpy_gives_whatever_is_zero_or_one(a: Array, b: Array,
     wanted = np.ravel(curve(own, *np.array(x).reshape(2, -1)))
     found = of_numbers(plan, numbers_code(plan), parameters[:, 0])(x, [], 0)
     np.testing.assert_allclose(found, wanted, rtol=0.0, atol=1e-14)
-    cases = of_arrays(plan, arrays_code(plan), np.repeat(parameters, 3, axis=1))
+    cases = OverCases(plan, arrays_code(plan), np.repeat(parameters, 3, axis=1))
     found = cases(np.repeat(np.array(x)[:, np.newaxis], 3, axis=1), np.empty((0, 3)), 0)
     np.testing.assert_allclose(found, np.repeat(wanted[:, np.newaxis], 3, axis=1), rtol=0.0, atol=1e-14)
 
@@ -104,7 +104,7 @@ def test_cases_that_share_their_parameters_and_cases_that_do_not_give_the_same_b
     code, x = arrays_code(plan), np.repeat(np.linspace(-1.0, 1.0, 2 * LANES)[:, np.newaxis], 3, axis=1)
     apart = plan.parameter_values(gathered([(item,) for item in own]))
     same = np.repeat(apart[:, :1], 3, axis=1)
-    found = [of_arrays(plan, code, parameters)(x, np.empty((0, 3)), 0) for parameters in (apart, same)]
+    found = [OverCases(plan, code, parameters)(x, np.empty((0, 3)), 0) for parameters in (apart, same)]
     assert np.array_equal(found[0][:, 0], found[1][:, 0])
     assert np.array_equal(found[1], np.repeat(found[1][:, :1], 3, axis=1))
     assert not np.array_equal(found[0][:, 1], found[1][:, 1])
@@ -155,7 +155,7 @@ def test_calls_of_one_function_at_two_levels_are_computed_when_they_are_wanted()
     parameters = plan.parameter_values(own)
     for level, count in ((0, 4), (1, 9)):
         found = of_numbers(plan, numbers_code(plan), parameters[:, 0])(x.tolist(), [], level)
-        cases = of_arrays(plan, arrays_code(plan), np.repeat(parameters, 2, axis=1))
+        cases = OverCases(plan, arrays_code(plan), np.repeat(parameters, 2, axis=1))
         lanes = cases(np.stack([x, x], axis=1), np.empty((0, 2)), level)
         np.testing.assert_allclose(found, wanted[:count], rtol=0.0, atol=1e-15)
         np.testing.assert_allclose(lanes, np.stack([wanted[:count]] * 2, axis=1), rtol=0.0, atol=1e-15)

@@ -14,7 +14,7 @@ from eom.program import compiled, make
 from eom.program.make import Ready, program, ready
 from eom.program.numbers import gathered
 from eom.program.operations import Op
-from eom.program.plain import arrays_code, numbers_code, of_arrays, of_numbers
+from eom.program.plain import OverCases, arrays_code, numbers_code, of_numbers
 from eom.program.plan import Plan, planned, traced
 from eom.program.tape import Node, Tape
 
@@ -37,7 +37,7 @@ def in_python(plan: Plan, x: Array, u: Array, parameters: Array, level: int = 0)
 
 def in_lanes(plan: Plan, x: Array, u: Array, parameters: Array, level: int = 0) -> Array:
     """Results over cases, (results, cases)."""
-    return of_arrays(plan, arrays_code(plan), parameters)(x, u, level)
+    return OverCases(plan, arrays_code(plan), parameters)(x, u, level)
 
 
 def assert_near(found: Any, wanted: Any, size: float = 1.0) -> None:
