@@ -44,7 +44,7 @@ STABLE_4, STABLE_5 = 2.5, 3.1
 """Largest product of step and fastest root; the classical method is stable up to 2.78, Dormand and Prince's to 3.31."""
 STIFF, CALM = 600.0, 400.0
 """Fastest roots [1/s] from which on the implicit method takes over, and below which the explicit one does again."""
-LOOK = 0.04
+LOOK = 0.05
 """Time [s] after which the fastest root is looked for again, at the latest."""
 SMALLEST = 1e-9
 """A step [s] that is smaller follows no motion of a vehicle."""

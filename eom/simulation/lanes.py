@@ -74,7 +74,7 @@ class Lanes:
         active = (self.status == of.DONE) & (self.time < pausing)
         if not np.any(active):
             return
-        f, margins = self.start(self.margins, active)
+        f, margins = self.start(np.zeros_like(self.x), self.margins, active)
         begun = active | ((self.status == of.TERMINAL) & (self.time < pausing))
         try:
             self.sample(Step(self.time, 0.0 * self.time, self.x, self.x, f, f), self.time, begun, begun)
@@ -114,8 +114,7 @@ class Lanes:
             self.stop += joint
             active &= ~cut
             if np.any(joint):
-                found = self.start(margins, joint)
-                f, margins = np.where(joint, found[0], f), np.where(joint, found[1], margins)
+                f, margins = self.start(f, margins, joint)
                 active &= self.status == of.DONE
             active &= self.time < pausing
             if np.any(self.fleet.counts[:, of.EVENTS] + self.limits > self.fleet.room.shape[1]):
@@ -142,17 +141,19 @@ class Lanes:
         padded = np.append(self.fleet.stops, np.inf)
         return np.where(there, padded[np.minimum(self.stop, len(self.fleet.stops))], np.inf)
 
-    def start(self, before: Array, starting: Any) -> tuple[Array, Array]:
-        """Rates and margins at the instants from which to go on; limits that are crossed there in cases that start."""
-        found = self.results(self.time, np.zeros(len(self.time), dtype=bool), self.x, 1)
-        f, margins = found[: self.n], found[self.n :]
-        limit, lane = np.nonzero(((before < 0.0) != (margins < 0.0)) & starting)
+    def start(self, f: Array, margins: Array, starting: Any) -> tuple[Array, Array]:
+        """Rates and margins, new in cases that start from where they are; limits that are crossed there."""
+        cases = np.flatnonzero(starting)
+        t, x, f, new = self.time[cases], self.x[:, cases], f.copy(), margins.copy()
+        found = self.results(t, np.zeros(len(cases), dtype=bool), x, 1, cases)
+        f[:, cases], new[:, cases] = found[: self.n], found[self.n :]
+        limit, lane = np.nonzero((margins < 0.0) != (new < 0.0))
         for k in np.lexsort((limit, lane)):
-            reached = bool(margins[limit[k], lane[k]] < 0.0)
+            reached = bool(new[limit[k], lane[k]] < 0.0)
             self.note(lane[k], self.time[lane[k]], limit[k], reached, self.x[:, lane[k]])
             if reached and self.fleet.terminal[limit[k]]:
                 self.status[lane[k]] = of.TERMINAL
-        return f, margins
+        return f, new
 
     def note(self, lane: int, t: float, limit: int, reached: bool, x: Array) -> None:
         """Write an event down; there is room for those of many steps, and one case that has none left is wrong."""
@@ -188,13 +189,15 @@ class Lanes:
 
     def step(self, h: Array, f: Array) -> tuple[Array, Array, Array, Array]:
         """State, rates, margins at the end of a step, and its error, as `eom.simulation.steps.runge_kutta`."""
-        before = np.ones(len(h), dtype=bool)
-        half = self.results(self.time + 0.5 * h, before, self.x + 0.5 * h * f, 0)
-        again = self.results(self.time + 0.5 * h, before, self.x + 0.5 * h * half, 0)
-        full = self.results(self.time + h, before, self.x + h * again, 0)
+        before, n = np.ones(len(h), dtype=bool), self.n
+        midway = self.fill(self.time + 0.5 * h, before, slice(None))
+        half = self.program(self.x + 0.5 * h * f, midway, 0)
+        again = self.program(self.x + 0.5 * h * half, midway, 0)
+        ending = self.fill(self.time + h, before, slice(None))
+        full = self.program(self.x + h * again, ending, 0)
         new = self.x + h / 6.0 * (f + 2.0 * (half + again) + full)
-        found = self.results(self.time + h, before, new, 1)
-        return new, found[: self.n], found[self.n :], h / 6.0 * (full - found[: self.n])
+        found = self.program(new, ending, 1)
+        return new, found[:n], found[n:], h / 6.0 * (full - found[:n])
 
     def ended(self, cases: Any, status: int, active: Any) -> None:
         """End some cases."""
