@@ -19,8 +19,7 @@ import eom
 from eom.model.tyre import build_tyre_model
 from eom.program.compiled import without_compiler
 from eom.report.table import table
-from eom.simulation import Sine
-from eom.simulation.batch import Case, simulate_many
+from eom.simulation import Case, Sine, simulate_many
 
 FILE = Path(__file__).parents[1] / "vehicles" / "b_train.yaml"
 DURATION, ROUNDS, CASES = 10.0, 5, 1024

@@ -1,7 +1,8 @@
 """Simulation: a model over time, with inputs, sampled blocks, events; what it gives is a `Run`."""
 
-from eom.simulation.batch import Case, simulate_many
+from eom.simulation.batch import simulate_many
 from eom.simulation.blocks import Block
+from eom.simulation.case import Case
 from eom.simulation.channels import Channels, Event
 from eom.simulation.inputs import Constant, Sine, Steps, Table
 from eom.simulation.interrupted import RunInterrupted

@@ -10,11 +10,12 @@ import numpy as np
 
 from eom.assembly.vectors import Array
 from eom.simulation import memory as of
-from eom.simulation.advance import GUARD, LOOK, STABLE_4
+from eom.simulation.advance import GUARD, LOOK
+from eom.simulation.lane_inputs import LaneInputs
+from eom.simulation.lane_roots import LaneRoots, size_of
 from eom.simulation.lane_samples import LaneSamples
 from eom.simulation.lane_steps import Step, crossings
-from eom.simulation.pieces import CURSOR, DEGREE, FIRST, INPUT, LAST
-from eom.simulation.stiffness import NUDGE
+from eom.simulation.step_choice import STABLE_4
 
 if TYPE_CHECKING:
     from eom.simulation.fleet import Fleet
@@ -25,43 +26,20 @@ class Lanes:
 
     def __init__(self, fleet: "Fleet") -> None:
         self.fleet = fleet
-        self.n, self.limits, self.inputs = (int(fleet.at[k]) for k in (of.STATES, of.LIMITS, of.INPUTS))
+        self.n, self.limits = int(fleet.at[of.STATES]), int(fleet.at[of.LIMITS])
         self.program = fleet.over_cases
-        self.base = np.ascontiguousarray(fleet.work[:, : self.inputs].T)
-        self.signals = fleet.signals.copy()
+        self.inputs, self.roots = LaneInputs(fleet), LaneRoots(fleet)
         self.x = np.ascontiguousarray(fleet.v[:, of.X].T)
-        self.direction = np.ascontiguousarray(fleet.v[:, of.DIRECTION].T)
         self.size, self.growing = fleet.v[0, of.SIZE][:, np.newaxis], fleet.v[0, of.GROWING][:, np.newaxis]
-        self.time, self.root, self.looked = (fleet.clock[:, k].copy() for k in (of.TIME, of.ROOT, of.LOOKED))
+        self.time = fleet.clock[:, of.TIME].copy()
         self.status = fleet.status.copy()
         self.stop = np.zeros(len(self.time), dtype=np.int64)
         self.margins = np.ascontiguousarray(fleet.margins[:, of.BEFORE].T)
-        self.samples = LaneSamples(fleet, self.x, self.base)
-
-    def fill(self, t: Array, before: Any, cases: Any) -> Array:
-        """Inputs of some cases, each at an instant, at a joint *before* it or after, (inputs, cases)."""
-        u, pieces = self.base[:, cases].copy(), self.fleet.pieces
-        for k in range(self.signals.shape[1]):
-            signal = self.signals[cases, k]
-            piece, first, last = signal[:, CURSOR], signal[:, FIRST], signal[:, LAST]
-            while True:
-                following = pieces[np.minimum(piece + 1, len(pieces) - 1), 0]
-                later = (piece < last) & ((following < t) | ((following == t) & ~before))
-                own = pieces[piece, 0]
-                earlier = (piece > first) & ((own > t) | ((own == t) & before)) & ~later
-                if not np.any(later | earlier):
-                    break
-                piece = piece + later - earlier
-            self.signals[cases, k, CURSOR] = piece
-            since, value = t - pieces[piece, 0], np.zeros(len(t))
-            for power in range(DEGREE, -1, -1):
-                value = value * since + pieces[piece, 1 + power]
-            u[signal[0, INPUT]] = value
-        return u
+        self.samples = LaneSamples(fleet, self.x, self.inputs.base)
 
     def results(self, t: Array, before: Any, x: Array, level: int, cases: Any = None) -> Array:
         """Results of some cases, or all, at instants and states, (results, cases), of levels up to one."""
-        return self.program(x, self.fill(t, before, slice(None) if cases is None else cases), level, cases)
+        return self.program(x, self.inputs.at(t, before, slice(None) if cases is None else cases), level, cases)
 
     def sizes(self, x: Array) -> Array:
         """Sizes of the states that count as one, (n, cases)."""
@@ -95,7 +73,7 @@ class Lanes:
             left = np.where(active, end - self.time, 0.0)
             parts = np.ceil(left / self.fleet.settings[of.LARGEST] * (1.0 - 1e-9))
             h = left / np.maximum(parts, 1.0)
-            self.ended(active & (h * self.root > STABLE_4), of.UNSTABLE, active)
+            self.ended(active & (h * self.roots.root > STABLE_4), of.UNSTABLE, active)
             new, f_new, new_margins, error = self.step(h, f)
             wrong = size_of(error, self.sizes(self.x)) / self.fleet.settings[of.TOLERANCE]
             self.ended(active & ~np.isfinite(wrong), of.DIVERGED, active)
@@ -126,7 +104,7 @@ class Lanes:
         """Outputs, inputs and states of all cases at their instants, (signals, cases)."""
         after = np.zeros(len(self.time), dtype=bool)
         found = self.results(self.time, after, self.x, 2)
-        u = self.fill(self.time, after, slice(None))
+        u = self.inputs.at(self.time, after, slice(None))
         return np.concatenate((found[self.n + self.limits :], u, self.x))
 
     def find_stops(self) -> None:
@@ -163,37 +141,21 @@ class Lanes:
         self.fleet.counts[lane, of.EVENTS] += 1
 
     def look(self, f: Array, active: Any) -> None:
-        """Look for the fastest roots again where it is time, as `eom.simulation.stiffness.fastest`."""
-        step = min(self.fleet.settings[of.LARGEST], LOOK)
-        due = np.flatnonzero(active & (self.time + step > self.looked + LOOK))
+        """Look for the fastest roots again where it is time."""
+        ahead = min(self.fleet.settings[of.LARGEST], LOOK)
+        due = np.flatnonzero(active & (self.time + ahead > self.roots.looked + LOOK))
         if not due.size:
             return
-        t, x, direction = self.time[due], self.x[:, due], self.direction[:, due]
-        size = self.sizes(x)
-
-        def change(direction: Array) -> Array:
-            """The Jacobians times directions, by differences."""
-            length = size_of(direction, size)
-            step = NUDGE / np.where(length > 0.0, length, np.inf)
-            near = self.results(t, np.zeros(len(due), dtype=bool), x + step * direction, 0, due)
-            return np.asarray(np.where(step > 0.0, (near - f[:, due]) / np.where(step > 0.0, step, 1.0), 0.0))
-
-        once = change(direction)
-        again = change(once)
-        root = fastest_roots(direction, once, again, size)
-        length = size_of(again, size)
-        good = (length > 0.0) & np.isfinite(length)
-        self.direction[:, due] = np.where(good, again / np.where(good, length, 1.0), direction)
-        self.root[due] = np.where(np.isfinite(root), root, self.root[due])
-        self.looked[due] = t
+        t, x, before = self.time[due], self.x[:, due], np.zeros(len(due), dtype=bool)
+        self.roots.look(due, t, x, f[:, due], self.sizes(x), lambda x: self.results(t, before, x, 0, due))
 
     def step(self, h: Array, f: Array) -> tuple[Array, Array, Array, Array]:
         """State, rates, margins at the end of a step, and its error, as `eom.simulation.steps.runge_kutta`."""
         before, n = np.ones(len(h), dtype=bool), self.n
-        midway = self.fill(self.time + 0.5 * h, before, slice(None))
+        midway = self.inputs.at(self.time + 0.5 * h, before, slice(None))
         half = self.program(self.x + 0.5 * h * f, midway, 0)
         again = self.program(self.x + 0.5 * h * half, midway, 0)
-        ending = self.fill(self.time + h, before, slice(None))
+        ending = self.inputs.at(self.time + h, before, slice(None))
         full = self.program(self.x + h * again, ending, 0)
         new = self.x + h / 6.0 * (f + 2.0 * (half + again) + full)
         found = self.program(new, ending, 1)
@@ -240,30 +202,12 @@ class Lanes:
                 return
             t, own = instants[due], step.of(due)
             x = np.where(own.h > 0.0, own.at((t - own.t) / np.where(own.h > 0.0, own.h, 1.0)), own.x)
-            self.samples.add(due, x, self.fill(t, np.zeros(len(due), dtype=bool), due))
+            self.samples.add(due, x, self.inputs.at(t, np.zeros(len(due), dtype=bool), due))
 
     def hand_back(self, margins: Array) -> None:
         """Leave everything where the next time finds it."""
         fleet = self.fleet
-        fleet.v[:, of.X], fleet.v[:, of.DIRECTION] = self.x.T, self.direction.T
-        fleet.clock[:, of.TIME], fleet.clock[:, of.ROOT], fleet.clock[:, of.LOOKED] = self.time, self.root, self.looked
-        fleet.status[:], fleet.signals[:], fleet.margins[:, of.BEFORE] = self.status, self.signals, margins.T
-
-
-def size_of(change: Array, size: Array) -> Array:
-    """Root mean square of changes of the states over their sizes, (cases,)."""
-    ratio = change / size
-    return np.asarray(np.sqrt(np.mean(ratio * ratio, axis=0)))
-
-
-def fastest_roots(direction: Array, once: Array, again: Array, size: Array) -> Array:
-    """Magnitudes of the fastest roots [1/s] by directions d, J d and J J d, as `eom.simulation.stiffness.fastest`."""
-    d, e, f = direction / size, once / size, again / size
-    dd, de, ee = np.sum(d * d, axis=0), np.sum(d * e, axis=0), np.sum(e * e, axis=0)
-    df, ef = np.sum(d * f, axis=0), np.sum(e * f, axis=0)
-    apart = ee * dd - de * de
-    a, b = (ef * dd - df * de) / apart, (ee * df - de * ef) / apart
-    inner = a * a + 4.0 * b
-    real = 0.5 * (np.abs(a) + np.sqrt(np.maximum(inner, 0.0)))
-    pair = np.where(inner >= 0.0, real, np.sqrt(np.maximum(-b, 0.0)))
-    return np.asarray(np.where(apart > 1e-8 * ee * dd, pair, np.sqrt(ee / dd)))
+        fleet.v[:, of.X], fleet.clock[:, of.TIME] = self.x.T, self.time
+        fleet.status[:], fleet.margins[:, of.BEFORE] = self.status, margins.T
+        self.inputs.hand_back(fleet)
+        self.roots.hand_back(fleet)

@@ -475,8 +475,7 @@ def test_a_program_is_planned_again_without_compiler(monkeypatch: pytest.MonkeyP
     """And gives the same without it."""
     numbers = gathered([P])
     monkeypatch.setattr(make, "MADE", {})
-    for module in (make, compiled):
-        monkeypatch.setattr(module, "installed", lambda: False)
+    monkeypatch.setattr(compiled, "there", lambda: False)
     found = ready(every_expression, P, N, M)
     x, u = (own[:, 2] for own in points(8, 3))
     assert_near(found.results(x, u, 1), np.concatenate(every_expression(x, u, P)), 40.0)

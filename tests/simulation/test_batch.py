@@ -12,8 +12,20 @@ from eom.driver.speed_keeping import SpeedKeeping
 from eom.errors import AnalysisError, DescriptionError, SimulationError
 from eom.model.linear import linearise
 from eom.model.tyre import TyreModel, build_tyre_model
-from eom.simulation import Block, Event, Run, RunInterrupted, Sensor, Sine, Steps, Table, batch, simulate
-from eom.simulation.batch import Case, simulate_many
+from eom.simulation import (
+    Block,
+    Case,
+    Event,
+    Run,
+    RunInterrupted,
+    Sensor,
+    Sine,
+    Steps,
+    Table,
+    batch,
+    simulate,
+    simulate_many,
+)
 from eom.simulation.progress import Progress
 from eom.simulation.runs import Runs
 from tests.simulation.block_samples import Function

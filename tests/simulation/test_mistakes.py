@@ -10,8 +10,7 @@ import eom
 from eom.errors import SimulationError
 from eom.model.tyre import TyreModel
 from eom.program.compiled import without_compiler
-from eom.simulation import Run, RunInterrupted, Steps, Table, simulate
-from eom.simulation.batch import Case, simulate_many
+from eom.simulation import Case, Run, RunInterrupted, Steps, Table, simulate, simulate_many
 from eom.simulation.functions import pieces_of
 from eom.simulation.inputs import Input
 from tests.simulation.block_samples import Function

@@ -12,9 +12,21 @@ from eom.driver.speed_keeping import SpeedKeeping
 from eom.errors import SimulationError
 from eom.model.linear import linearise
 from eom.model.tyre import TyreModel, build_tyre_model
-from eom.program import calls, compiled, make
-from eom.simulation import Block, Event, Run, Sensor, Sine, Steps, Table, engine, fleet, lanes, report, simulate
-from eom.simulation.batch import Case, simulate_many
+from eom.program import compiled, make
+from eom.simulation import (
+    Block,
+    Case,
+    Event,
+    Run,
+    Sensor,
+    Sine,
+    Steps,
+    Table,
+    engine,
+    lanes,
+    simulate,
+    simulate_many,
+)
 from eom.simulation.inputs import Input
 from eom.simulation.interrupted import RunInterrupted
 from eom.simulation.progress import Progress
@@ -52,8 +64,7 @@ def _goes_on(monkeypatch: pytest.MonkeyPatch) -> None:
 def no_compiler() -> Iterator[None]:
     """Numba is not found by any module that asks for it."""
     with pytest.MonkeyPatch.context() as patch:
-        for module in (calls, compiled, make, engine, fleet, report):
-            patch.setattr(module, "installed", lambda: False)
+        patch.setattr(compiled, "there", lambda: False)
         patch.setattr(make, "MADE", {})
         yield
 

@@ -184,7 +184,8 @@ def test_the_road_never_drives_a_towed_or_braked_wheel(
     assert power <= ROUNDING * Fz * speed
 
 
-@given(linear, angles, ratios, loads, leans)
+# with a ratio below -0.94 the tread is slower than 1 m/s, where rolling resistance fades
+@given(linear, angles, st.floats(-0.9, 1.0), loads, leans)
 def test_the_linear_tyre_is_the_one_of_the_linear_models(
     tyre: Linear, alpha: float, kappa: float, Fz: float, gamma: float
 ) -> None:
