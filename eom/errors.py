@@ -78,3 +78,8 @@ class SimulationError(EomError):
     def __init__(self, message: str, partial: object = None) -> None:
         self.partial = partial
         super().__init__(message)
+
+
+def raised(error: BaseException) -> str:
+    """What an exception of someone else's code says, for a sentence of ours."""
+    return f"raised {type(error).__name__}: {error}".removesuffix(": ")

@@ -77,7 +77,7 @@ def understood(model: Model, options: Options) -> Plan:
         origin={"run_file": file.file, "run_sha256": file.digest} if file else {},
     )
     mistakes += missing(options)
-    mistakes += contradictions(options, plan, model)
+    mistakes += contradictions(options, plan, model, file)
     # a run file that could not be read may have said what the others go with
     if options.run is None or file is not None:
         mistakes += unfitting(options, plan, file)
@@ -92,21 +92,24 @@ def missing(options: Options) -> Iterator[str]:
         yield "--duration is missing: without a run file say how long, such as --duration 8s"
 
 
-def contradictions(options: Options, plan: Plan, model: Model) -> Iterator[str]:
+def contradictions(options: Options, plan: Plan, model: Model, file: RunFile | None) -> Iterator[str]:
     """Sentences for options that name nothing known, or that the model does not take."""
     if plan.method not in METHODS:
         yield f"--method {plan.method}: expected {', '.join(METHODS)}{did_you_mean(plan.method, METHODS)}"
-    if options.speed is not None and isinstance(model, LinearModel):
-        yield (
-            f"--speed {options.speed}: goes with axles that have nonlinear tyres; a linear model has the speed of its "
-            "trim, which is set in the vehicle file or by --set"
-        )
+    what = "goes with axles that have nonlinear tyres; a linear model has the speed of its trim, which is set in the "
+    if isinstance(model, LinearModel) and options.speed is not None:
+        yield f"--speed {options.speed}: {what}vehicle file or by --set"
+    elif isinstance(model, LinearModel) and file is not None and file.speed is not None:
+        yield str(file.source.mistake(("speed",), f"{what}vehicle file or by --set"))
 
 
 def unfitting(options: Options, plan: Plan, file: RunFile | None) -> Iterator[str]:
     """Sentences for values that do not go with each other."""
     if plan.method == "rk4" and plan.step is None and options.step is None:
-        yield "method rk4 needs a step, such as --step 1ms"
+        if file is not None and options.method is None:
+            yield str(file.source.mistake(("method",), "rk4 needs a step, such as 'step: 1 ms'"))
+        else:
+            yield "--method rk4 needs a step, such as --step 1ms"
     if plan.method != "rk4" and options.step is not None:
         yield f"--step {options.step}: goes with --method rk4: other methods find their steps themselves"
     if plan.duration and plan.sample > plan.duration and (options.sample or (file and file.sample)):

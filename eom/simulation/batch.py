@@ -9,21 +9,18 @@ from eom.errors import SimulationError
 from eom.simulation.batch_results import told
 from eom.simulation.batch_start import prepared
 from eom.simulation.blocks import Block
-from eom.simulation.case import Case, requests
-from eom.simulation.channels import STATE
-from eom.simulation.equations import Model, check_kind
+from eom.simulation.case import Case, Vehicles, own_mistakes, requests
+from eom.simulation.equations import Model, check_kind, every_name
 from eom.simulation.fleet import Fleet
 from eom.simulation.interrupted import RunInterrupted
 from eom.simulation.progress import Progress
-from eom.simulation.request import Request, checked
+from eom.simulation.request import Request, check_size, checked
 from eom.simulation.runs import Runs
 from eom.simulation.sampling import begun, sample_times, updated
 from eom.vehicle.validate import did_you_mean
 
 SLICE = 0.5
 """Time [s] of the clock on the wall after which long runs let themselves be seen and interrupted."""
-LARGEST = 4e9
-"""Bytes that results of a batch may take."""
 
 
 def simulate_many(
@@ -65,34 +62,33 @@ def simulate_many(
         was computed until then.
     RunInterrupted
         A KeyboardInterrupt; ``partial`` alike.
-    DescriptionError, EquilibriumError
-        If the parameters of a case make no vehicle, or one without straight run.
+    EquilibriumError, SingularError
+        If the parameters of a case, whose number is told, make a vehicle without straight run, or without mass.
     """
     check_kind(model)
     names = every_name(model)
+    mistakes = list(own_mistakes(cases, keep, threads))
+    if mistakes:
+        raise SimulationError("\n".join(mistakes))
     mistakes = [
         f"keep {name}: there is no such signal{did_you_mean(name, names)}" for name in keep or () if name not in names
     ]
-    if threads is not None and threads < 1:
-        mistakes.append(f"threads = {threads}: expected one or more")
+    vehicles: Vehicles = {}
     asked = requests(
         model,
         cases,
         mistakes,
         lambda own: checked(
-            model, own.inputs, duration, own.start, blocks, wires or {}, sample, method, step, tolerance
+            model, own.inputs, duration, own.speed, own.start, blocks, wires or {}, sample, method, step, tolerance
         ),
+        vehicles,
     )
     one = asked[0]
     columns = range(len(names)) if keep is None else [names.index(name) for name in keep]
-    size = 8.0 * len(cases) * len(one.times) * len(columns)
-    if size > LARGEST:
-        raise SimulationError(
-            f"results of {size / 1e9:.3g} GB, expected at most {LARGEST / 1e9:g}: name the signals to keep, take fewer "
-            "samples, or fewer cases at a time"
-        )
+    remedy = "name the signals to keep, take fewer samples, or fewer cases at a time"
+    check_size(len(cases), len(one.times), len(columns) + len(one.wiring.signals), remedy)
     with Progress(f"preparing {len(cases)} cases"):
-        ready = prepared(model, cases, asked, columns, threads)
+        ready = prepared(model, cases, asked, vehicles, columns, threads)
     kept = [(k, names[k]) for k in columns]
     held: list[tuple[float, Array]] = []
     try:
@@ -106,26 +102,27 @@ def simulate_many(
     return told(model, one, ready, kept, held)
 
 
-def every_name(model: Model) -> list[str]:
-    """What can be kept, in the order of the columns: states, inputs, outputs."""
-    return [*(STATE + name for name in model.states), *model.inputs, *model.outputs]
-
-
 def go_through(own: Fleet, asked: Request, held: list[tuple[float, Array]]) -> None:
     """Go on with all cases to their ends; *held* gets instants with what the ports of blocks hold from then on."""
     wiring = asked.wiring
     with Progress(f"simulating {len(own.clock)} cases", asked.duration) as progress:
         if not wiring.blocks:
-            while own.going(asked.duration):
-                own.go_on(asked.duration, progress.next_stop(own.time, SLICE), closed=True)
-                progress.reached(own.time)
+            reach(own, asked.duration, progress, closed=True)
             return
         ports = begun(wiring, len(own.clock))
         for time, due in sample_times(wiring):
-            own.go_on(min(time, asked.duration), np.inf, closed=time >= asked.duration)
-            progress.reached(min(time, asked.duration))
-            if time >= asked.duration:
-                break
-            ports = updated(wiring, due, time, own.observe(), ports)
+            reach(own, min(time, asked.duration), progress, closed=time >= asked.duration)
+            going = own.going(asked.duration)
+            if not np.any(going):
+                return
+            ports = updated(wiring, due, time, own.observe(), ports, ~going)
             held.append((time, ports.acting))
-            own.work[:, wiring.inputs] = ports.acting[wiring.sources].T
+            # what ended keeps the inputs with which it did
+            own.work[np.ix_(going, wiring.inputs)] = ports.acting[np.ix_(wiring.sources, going)].T
+
+
+def reach(own: Fleet, instant: float, progress: Progress, *, closed: bool) -> None:
+    """Go on to an instant [s] with all cases, in slices that let progress be seen."""
+    while np.any(own.going(instant)):
+        own.go_on(instant, progress.next_stop(own.time, SLICE), closed=closed)
+        progress.reached(min(own.time, instant))

@@ -39,5 +39,5 @@ def told(
         units=(*(units[k] for k, _ in kept), *wiring.units),
         values=values,
         events=tuple((*events(parts, limits), *more) for parts, more in zip(own.events, diverging, strict=True)),
-        ended=tuple(own.ended(k, limits, more) for k, more in enumerate(diverging)),
+        ended=tuple(own.ended(k, asked.duration, limits, more) for k, more in enumerate(diverging)),
     )

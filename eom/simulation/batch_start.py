@@ -5,24 +5,30 @@ from collections.abc import Sequence
 import numpy as np
 
 from eom.assembly.vectors import Array
-from eom.errors import EquilibriumError, SimulationError
+from eom.errors import DescriptionError, EquilibriumError, SimulationError, SingularError
 from eom.model.tyre import TyreModel, build_tyre_model
 from eom.program.make import Program, program
 from eom.program.numbers import gathered
-from eom.simulation.case import Case
+from eom.simulation.case import Case, Key, Vehicles, key_of
 from eom.simulation.equations import Equations, Model, at_start, equations_of
 from eom.simulation.fleet import Fleet
 from eom.simulation.fleet_start import fleet
 from eom.simulation.request import Request
 from eom.simulation.signal_pieces import driven
 from eom.splice.equations import spliced
+from eom.vehicle.load import Vehicle
 
 
 def prepared(
-    model: Model, cases: Sequence[Case], asked: Sequence[Request], columns: Sequence[int], threads: int | None
+    model: Model,
+    cases: Sequence[Case],
+    asked: Sequence[Request],
+    vehicles: Vehicles,
+    columns: Sequence[int],
+    threads: int | None,
 ) -> Fleet:
-    """All cases before their first step."""
-    models = models_of(model, cases)
+    """All cases before their first step; *vehicles* are those with parameters of their own."""
+    models = models_of(model, cases, vehicles)
     for k, own in enumerate(models):
         if own.states != model.states or own.inputs != model.inputs or own.outputs != model.outputs:
             what = (
@@ -47,14 +53,20 @@ def prepared(
     )
 
 
-def models_of(model: Model, cases: Sequence[Case]) -> list[Model]:
+def models_of(model: Model, cases: Sequence[Case], vehicles: Vehicles) -> list[Model]:
     """The model of each case; those with the same parameters share it."""
-    made: dict[tuple[tuple[str, str | float], ...], Model] = {(): model}
-    for case in cases:
-        key = tuple(sorted(case.parameters.items()))
-        if key not in made and isinstance(model, TyreModel):
-            made[key] = build_tyre_model(model.vehicle.with_values(**case.parameters))
-    return [made[tuple(sorted(case.parameters.items()))] for case in cases]
+    made: dict[Key, Model] = {(): model}
+    for k, case in enumerate(cases):
+        key = key_of(case.parameters)
+        vehicle = vehicles.get(key)
+        if key not in made and isinstance(vehicle, Vehicle):
+            try:
+                made[key] = build_tyre_model(vehicle)
+            except DescriptionError as error:
+                raise SimulationError("\n".join(f"case {k}: {line}" for line in str(error).splitlines())) from None
+            except (EquilibriumError, SingularError) as error:
+                raise type(error)(f"case {k}: {error}") from None
+    return [made[key_of(case.parameters)] for case in cases]
 
 
 def parameters_of(model: Model, models: Sequence[Model], equations: Equations) -> tuple[Program, Array]:

@@ -9,6 +9,7 @@ from eom.errors import SimulationError
 from eom.model.linear import LinearModel
 from eom.model.tyre import TyreModel
 from eom.program.make import Ready
+from eom.simulation.channels import STATE
 from eom.splice.limits import Limit
 
 Model = TyreModel | LinearModel
@@ -58,3 +59,8 @@ def at_start(model: Model, speed: float | None) -> tuple[Array, Array]:
     if speed is not None:
         raise SimulationError(f"speed = {speed:g} m/s: a linear model has that of its trim, {model.speed:g} m/s")
     return np.zeros(len(model.states)), np.zeros(len(model.inputs))
+
+
+def every_name(model: Model) -> list[str]:
+    """What can be kept, in the order of the columns: states, inputs, outputs."""
+    return [*(STATE + name for name in model.states), *model.inputs, *model.outputs]

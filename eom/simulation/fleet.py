@@ -60,13 +60,13 @@ class Fleet:
 
     @property
     def time(self) -> float:
-        """The instant that the slowest case has reached [s]."""
-        going = (self.status == of.DONE) & (self.clock[:, of.TIME] < self.until)
-        return float(np.min(self.clock[going, of.TIME], initial=np.inf))
+        """The instant that the slowest case that goes on has reached [s]; the last one if none does."""
+        reached, going = self.clock[:, of.TIME], self.going(np.inf)
+        return float(np.min(reached[going]) if np.any(going) else np.max(reached))
 
-    def going(self, duration: float) -> bool:
-        """Whether a case has not ended yet."""
-        return bool(np.any((self.status == of.DONE) & (self.clock[:, of.TIME] < np.minimum(duration, self.until))))
+    def going(self, instant: float) -> Any:
+        """Which cases have not ended and are before an instant [s], (cases,)."""
+        return (self.status == of.DONE) & (self.clock[:, of.TIME] < np.minimum(instant, self.until))
 
     def go_on(self, instant: float, pause: float, *, closed: bool) -> None:
         """Go on with all cases that have not ended, until an instant [s] or the end of a case's inputs, or a pause."""
@@ -118,12 +118,13 @@ class Fleet:
         memory = self.at, self.v[case], self.work[case], self.pieces, self.signals[case]
         return (divergence(ready, states, float(self.clock[case, of.TIME]), *memory),)
 
-    def ended(self, case: int, limits: tuple[Limit, ...], diverging: tuple[Event, ...]) -> str:
-        """Why a case ended before its time, a sentence; empty if it did not."""
+    def ended(self, case: int, duration: float, limits: tuple[Limit, ...], diverging: tuple[Event, ...]) -> str:
+        """Why a case ended before a duration [s], a sentence; empty if it did not."""
         status, at = int(self.status[case]), self.clock[case, of.TIME]
         if status != of.DONE:
             return sentence(status, self.clock[case], self.settings, self.events[case], limits, diverging)
-        return self.inputs[case].why if at >= self.inputs[case].until else ""
+        until = self.inputs[case].until
+        return self.inputs[case].why if until <= at and until < duration else ""
 
     @functools.cached_property
     def over_cases(self) -> OverCases:

@@ -2,12 +2,12 @@
 
 import itertools
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from eom.assembly.vectors import Array
-from eom.errors import SimulationError
+from eom.errors import SimulationError, raised
 from eom.simulation.pieces import DEGREE
 
 LONGEST = 0.125
@@ -89,7 +89,7 @@ class Watched:
         """Why the input is none from an instant on."""
         if self.raised is None:
             return f"input {name} is not finite from {t:.9g} s on"
-        return f"input {name} at {t:.9g} s: its function raised {type(self.raised).__name__}: {self.raised}"
+        return f"input {name} at {t:.9g} s: its function {raised(self.raised)}"
 
 
 def pieces_of(function: Callable[[float], float], name: str, duration: float) -> Broken:
@@ -126,12 +126,14 @@ def pieces_of(function: Callable[[float], float], name: str, duration: float) ->
 
 def row(item: Piece) -> Array:
     """The coefficients of a piece."""
-    return row_of(item.begin, item.length, item.values)
+    (found,) = rows_of(np.array([item.begin]), item.length, item.values[np.newaxis])
+    return np.asarray(found)
 
 
-def row_of(begin: float, length: float, values: Array) -> Array:
-    """A piece by its values at `NODES`."""
-    return np.concatenate(([begin], TO_POWERS @ values / length ** np.arange(DEGREE + 1)))
+def rows_of(begin: Any, length: float, values: Any) -> Array:
+    """Pieces of a length [s] by where they begin [s] and their values at `NODES`, a row a piece."""
+    powers = values @ TO_POWERS.T / length ** np.arange(DEGREE + 1)
+    return np.concatenate((begin[:, np.newaxis], powers), axis=1)
 
 
 def joined(

@@ -91,13 +91,11 @@ class Lanes:
             joint, self.time = active & ~cut & (now == following) & (now < until), ended
             self.stop += joint
             active &= ~cut
-            if np.any(joint):
+            if np.any(joint) and not self.crowded(active):
                 f, margins = self.start(f, margins, joint)
                 active &= self.status == of.DONE
             active &= self.time < pausing
-            if np.any(self.fleet.counts[:, of.EVENTS] + self.limits > self.fleet.room.shape[1]):
-                # more room is made before it goes on
-                self.ended(active.copy(), of.FULL, active)
+            self.crowded(active)
         return f, margins
 
     def observe(self) -> Array:
@@ -165,6 +163,13 @@ class Lanes:
         """End some cases."""
         self.status[cases] = status
         active &= ~cases
+
+    def crowded(self, active: Any) -> bool:
+        """Whether a case has no room left for its next events; then all end, and go on when there is more."""
+        crowded = bool(np.any(self.fleet.counts[:, of.EVENTS] + self.limits > self.fleet.room.shape[1]))
+        if crowded:
+            self.ended(active.copy(), of.FULL, active)
+        return crowded
 
     def events(self, step: Step, margins: Array, new: Array, active: Any) -> Array:
         """Note the limits that are crossed in a step; the share of it after which each case ends, 2 if it does not."""

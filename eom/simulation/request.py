@@ -11,6 +11,7 @@ from eom.simulation import memory as of
 from eom.simulation.blocks import Block
 from eom.simulation.functions import Broken
 from eom.simulation.inputs import Input
+from eom.simulation.kinds import list_kinds, mapping_kinds, number_kinds
 from eom.simulation.sampling_times import multiples
 from eom.simulation.signal_pieces import told
 from eom.simulation.wiring import Named, Wiring, model_inputs, model_signals, wired
@@ -27,6 +28,8 @@ LARGEST_STEP = 0.5
 FINEST, COARSEST = 1e-13, 1e-2
 """Tolerances that mean something."""
 MOST_SAMPLES = 10_000_000
+LARGEST = 4e9
+"""Bytes that results may take."""
 
 
 class Request(NamedTuple):
@@ -61,6 +64,7 @@ def checked(
     model: Named,
     inputs: Mapping[str, Input],
     duration: float,
+    speed: float | None,
     start: Mapping[str, float] | None,
     blocks: Sequence[Block],
     wires: Mapping[str, str],
@@ -70,14 +74,29 @@ def checked(
     tolerance: float,
 ) -> Request:
     """What is asked of a run; raises `SimulationError` with a sentence for every mistake."""
-    mistakes = list(unknown("input", inputs, model.inputs))
+    mistakes = [
+        *mapping_kinds({"inputs": inputs, "wires": wires, "start": {} if start is None else start}),
+        *list_kinds("blocks", blocks, "blocks"),
+        *number_kinds({"duration": duration, "sample": sample, "tolerance": tolerance}, {"speed": speed, "step": step}),
+    ]
+    if not mistakes:
+        mistakes += [
+            f"wire {name}: expected a port 'BLOCK.PORT', got {port!r}"
+            for name, port in wires.items()
+            if not isinstance(port, str)
+        ]
+        mistakes += number_kinds({f"start of {name}": value for name, value in (start or {}).items()}, {})
+    if mistakes:
+        raise SimulationError("\n".join(mistakes))
+    mistakes += unknown("input", inputs, model.inputs)
     mistakes += unknown("state", start or {}, model.states)
     mistakes += [
         f"input {name} has a signal and a wire: an input follows one of them" for name in wires if name in inputs
     ]
-    mistakes += number_mistakes(duration, sample, step, tolerance, start or {})
-    if method not in METHODS:
-        mistakes.append(f"method = {method!r}: expected {', '.join(METHODS)}{did_you_mean(method, METHODS)}")
+    mistakes += number_mistakes(duration, sample, speed, step, tolerance, start or {})
+    if not (isinstance(method, str) and method in METHODS):
+        hint = did_you_mean(str(method), METHODS)
+        mistakes.append(f"method = {method!r}: expected {', '.join(METHODS)}{hint}")
     elif method == "rk4" and step is None:
         mistakes.append("method = 'rk4' needs a step, such as step=1e-3")
     usable = np.isfinite(duration) and duration > 0.0
@@ -98,6 +117,13 @@ def checked(
     return Request(found, duration, start or {}, wiring, multiples(sample, duration), method, settings)
 
 
+def check_size(cases: int, samples: int, signals: int, remedy: str) -> None:
+    """Raise `SimulationError` for results that memory may not hold, with what to do."""
+    size = 8.0 * cases * samples * signals
+    if size > LARGEST:
+        raise SimulationError(f"results of {size / 1e9:.3g} GB, expected at most {LARGEST / 1e9:g}: {remedy}")
+
+
 def unknown(kind: str, names: Mapping[str, object], known: tuple[str, ...]) -> Iterator[str]:
     """Sentences for names that a model does not have."""
     for name in names:
@@ -106,7 +132,12 @@ def unknown(kind: str, names: Mapping[str, object], known: tuple[str, ...]) -> I
 
 
 def number_mistakes(
-    duration: float, sample: float, step: float | None, tolerance: float, start: Mapping[str, float]
+    duration: float,
+    sample: float,
+    speed: float | None,
+    step: float | None,
+    tolerance: float,
+    start: Mapping[str, float],
 ) -> Iterator[str]:
     """Sentences for numbers that cannot be."""
     usable = True
@@ -116,6 +147,8 @@ def number_mistakes(
             yield f"{name} = {value}: expected a time above zero, in s"
     if usable and not duration / sample <= MOST_SAMPLES:
         yield f"sample = {sample:g}: makes {duration / sample:.3g} samples, at most {MOST_SAMPLES} are allowed"
+    if speed is not None and not (np.isfinite(speed) and speed > 0.0):
+        yield f"speed = {speed}: expected a speed above zero, in m/s"
     if not FINEST <= tolerance <= COARSEST:
         yield f"tolerance = {tolerance}: expected {FINEST:g} to {COARSEST:g}"
     for name, value in start.items():

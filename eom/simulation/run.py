@@ -102,8 +102,8 @@ class Run:
         """
         return dataset(self.time, joined((self.inputs, self.outputs, self.blocks)), self.states, self.about())
 
-    def plot(self, names: Iterable[str] | None = None) -> "Figure":
-        """A picture of signals over time: the named ones, a panel for each unit; angles in degrees.
+    def plot(self, names: str | Iterable[str] | None = None) -> "Figure":
+        """A picture of signals over time: the named one or ones, a panel for each unit; angles in degrees.
 
         Without names what one looks at first, as far as the run has it: inputs that change (or, if none does, that
         act), lateral accelerations of units, yaw rates, articulation, roll, wheel loads (right ones dashed) or else
@@ -112,7 +112,7 @@ class Run:
 
         Raises `AnalysisError` for names that the run does not have, or for none.
         """
-        told = None if names is None else tuple(dict.fromkeys(names))
+        told = None if names is None else (names,) if isinstance(names, str) else tuple(dict.fromkeys(names))
         mistakes = [self.missing(name) for name in told or () if name not in self.names]
         if told == ():
             mistakes.append("no signal to plot: expected names of signals, or None for the usual ones")

@@ -13,12 +13,12 @@ from eom.simulation.blocks import Block
 from eom.simulation.channels import Event
 from eom.simulation.divergence import DIVERGING, divergence
 from eom.simulation.engine import Engine, engine
-from eom.simulation.equations import Equations, Model, at_start, check_kind, equations_of
+from eom.simulation.equations import Equations, Model, at_start, check_kind, equations_of, every_name
 from eom.simulation.inputs import Input
 from eom.simulation.interrupted import RunInterrupted
 from eom.simulation.progress import Progress
 from eom.simulation.report import Told, run_of, sentence
-from eom.simulation.request import Request, checked
+from eom.simulation.request import Request, check_size, checked
 from eom.simulation.run import Run
 from eom.simulation.sampling import Held, begun, sample_times, updated
 from eom.simulation.signal_pieces import driven
@@ -87,7 +87,8 @@ def simulate(
         If there is no straight run at the speed.
     """
     check_kind(model)
-    asked = checked(model, inputs, duration, start, blocks, wires or {}, sample, method, step, tolerance)
+    asked = checked(model, inputs, duration, speed, start, blocks, wires or {}, sample, method, step, tolerance)
+    check_size(1, len(asked.times), len(every_name(model)) + len(asked.wiring.signals), "take fewer samples")
     x, u = at_start(model, speed)
     for name, value in asked.start.items():
         x[model.states.index(name)] = value

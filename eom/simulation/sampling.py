@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from eom.assembly.vectors import Array
-from eom.errors import SimulationError
+from eom.errors import SimulationError, raised
 from eom.simulation.blocks import Block
 from eom.simulation.sampling_times import Instant, instants
 from eom.simulation.wiring import Wiring
@@ -46,7 +46,9 @@ def sample_times(wiring: Wiring) -> Iterator[Instant]:
     return instants([block.period for block in wiring.blocks])
 
 
-def updated(wiring: Wiring, due: Iterable[int], t: float, y: Array, held: Held) -> Held:
+def updated(
+    wiring: Wiring, due: Iterable[int], t: float, y: Array, held: Held, over: NDArray[np.bool_] | None = None
+) -> Held:
     """Ports after a sample.
 
     Parameters
@@ -62,12 +64,15 @@ def updated(wiring: Wiring, due: Iterable[int], t: float, y: Array, held: Held) 
         sample that of the trim.
     held : Held
         Ports before the sample; it is not changed.
+    over : NDArray, optional
+        Which cases of a batch have ended, (cases,).
 
     Raises
     ------
     SimulationError
         Naming block and time, for a block that raises an exception, which is chained, or that gives another shape than
-        its ports have, or a value that is not finite; in a batch, for a case in which all that it reads is finite.
+        its ports have, or a value that is not finite; in a batch, for a case that goes on and in which all that it
+        reads is finite.
     """
     numbers = tuple(due)
     seen = np.concatenate((y, held.acting))
@@ -79,28 +84,30 @@ def updated(wiring: Wiring, due: Iterable[int], t: float, y: Array, held: Held) 
             acting[wiring.ports[k]] = pending[wiring.ports[k]]
     for k in numbers:
         ports = wiring.ports[k]
-        pending[ports] = result(wiring.blocks[k], t, seen[wiring.reads[k]])
+        pending[ports] = result(wiring.blocks[k], t, seen[wiring.reads[k]], over)
         if wiring.direct[k] or not started[k]:
             acting[ports] = pending[ports]
         started[k] = True
     return Held(acting.copy(), pending, started)
 
 
-def result(block: Block, t: float, y: Array) -> Array:
-    """What a block makes of its inputs at a time [s], checked."""
+def result(block: Block, t: float, y: Array, over: NDArray[np.bool_] | None) -> Array:
+    """What a block makes of its inputs at a time [s], checked, but not in cases that are *over*."""
     who = f"block {block.name} at {t:g} s"
-    ended = ~np.isfinite(y).all(axis=0)
-    if y.ndim == 1 and ended:
+    blind = ~np.isfinite(y).all(axis=0)
+    if y.ndim == 1 and blind:
         which = ", ".join(name for name, value in zip(block.inputs, y, strict=True) if not np.isfinite(value))
         raise SimulationError(f"{who}: reads {which}, which is not finite")
     try:
         given = np.asarray(block.update(t, y.copy()), dtype=float)
     except Exception as error:
-        raise SimulationError(f"{who}: raised {type(error).__name__}: {error}") from error
+        raise SimulationError(f"{who}: {raised(error)}") from error
     shape = (len(block.outputs), *y.shape[1:])
     if given.shape != shape:
         raise SimulationError(f"{who}: gave an array of shape {given.shape}, expected {shape}")
-    wrong = ~np.isfinite(given) & ~ended
+    wrong = ~np.isfinite(given) & ~blind
+    if over is not None:
+        wrong &= ~over
     if np.any(wrong):
         raise SimulationError(f"{who}: gave {not_finite(block, given, wrong)}, expected a finite number")
     return given

@@ -10,7 +10,11 @@ from numpy.typing import NDArray
 
 from eom.assembly.vectors import Array
 from eom.simulation.blocks import BlockError
+from eom.simulation.kinds import is_number
 from eom.simulation.sampling_times import SMALLEST, exact
+
+LATEST = 1_000_000
+"""Periods."""
 
 
 @dataclass
@@ -50,11 +54,16 @@ class Sensor:
     units: tuple[str | None, ...] = field(default=(None,), init=False)
 
     def __post_init__(self) -> None:
-        wrong = {}
+        times = {"period": self.period, "delay": self.delay}
+        wrong = {name: f"is {value!r}: expected a time" for name, value in times.items() if not is_number(value)}
+        if wrong:
+            raise BlockError(self.name, wrong)
         if not (np.isfinite(self.period) and self.period >= SMALLEST):
             wrong["period"] = f"is {self.period:g} s: expected a time of at least {SMALLEST:g} s"
         elif not (np.isfinite(self.delay) and self.delay >= 0.0 and self.late.denominator == 1):
             wrong["delay"] = f"is {self.delay:g} s: expected a whole number of periods of {self.period:g} s"
+        elif self.late > LATEST:
+            wrong["delay"] = f"is {self.delay:g} s: expected at most {LATEST} periods of {self.period:g} s"
         if not (np.all(np.isfinite(self.noise)) and np.all(np.asarray(self.noise) >= 0.0)):
             wrong["noise"] = f"is {self.noise}: expected a standard deviation, no less than zero"
         seeds = np.asarray(self.seed)

@@ -31,6 +31,21 @@ class Column(NamedTuple):
     dimension: Dimension | None
 
 
+class Wrong(NamedTuple):
+    """A mistake at its place."""
+
+    line: int
+    column: int
+    what: str
+
+
+class Unread(NamedTuple):
+    """Which cell of a row is no value, and why."""
+
+    cell: int
+    what: str
+
+
 def read_column(file: FilePath, name: str) -> Column | list[Mistake]:
     """The named column of a CSV file, or every mistake in it.
 
@@ -38,15 +53,17 @@ def read_column(file: FilePath, name: str) -> Column | list[Mistake]:
     increase.
     """
 
-    def mistakes(*found: tuple[int, str]) -> list[Mistake]:
+    def mistakes(*found: tuple[int, str] | Wrong) -> list[Mistake]:
         """Mistakes by line, 0 for the whole file; after some of them only their number."""
         shown = [*found[:SHOWN], *([(0, f"and {len(found) - SHOWN} more mistakes")] if len(found) > SHOWN else [])]
-        return [Mistake(str(file), line, min(line, 1), "", what) for line, what in shown]
+        placed = [item if isinstance(item, Wrong) else Wrong(item[0], min(item[0], 1), item[1]) for item in shown]
+        return [Mistake(str(file), item.line, item.column, "", item.what) for item in placed]
 
     try:
         with file.open("rb") as opened:
             raw = opened.read(MAX_BYTES + 1)
-        lines = list(numbered(raw.decode("utf-8-sig")))
+        text = raw.decode("utf-8-sig")
+        lines = list(numbered(text))
     except OSError as error:
         return mistakes((0, f"cannot be read: {error.strerror or error}"))
     except UnicodeDecodeError as error:
@@ -63,7 +80,7 @@ def read_column(file: FilePath, name: str) -> Column | list[Mistake]:
     except ValueError as error:
         return mistakes((lines[0][0], str(error)))
     rows = [row_values(row, index, len(headings)) for _, row in lines[1:]]
-    wrong = [(line, row) for (line, _), row in zip(lines[1:], rows, strict=True) if isinstance(row, str)]
+    wrong = unread_cells(text, lines[1:], rows)
     if wrong or not rows:
         return mistakes(*wrong) or mistakes((lines[0][0], "has no values below the names"))
     time, value = factors[0] * np.array(rows)[:, 0], factors[1] * np.array(rows)[:, 1]
@@ -108,14 +125,28 @@ def chosen(headings: list[str], name: str) -> tuple[int, tuple[float, float], Di
     return index, (seconds, factor), None if unit is None else (told if unit.strip() else DIMENSIONLESS)
 
 
-def row_values(row: list[str], index: int, count: int) -> tuple[float, float] | str:
+def row_values(row: list[str], index: int, count: int) -> tuple[float, float] | Unread:
     """Time and value of a row, or what is wrong with it."""
     if len(row) != count:
-        return f"has {len(row)} values, expected {count} as in the first line"
+        return Unread(0, f"has {len(row)} values, expected {count} as in the first line")
     found = []
-    for cell in (row[0], row[index]):
-        value = float(cell) if NUMBER.fullmatch(cell.strip()) else math.nan
+    for k in (0, index):
+        value = float(row[k]) if NUMBER.fullmatch(row[k].strip()) else math.nan
         if not math.isfinite(value):
-            return f"'{shorten(cell)}' is no number"
+            return Unread(k, f"'{shorten(row[k])}' is no number")
         found.append(value)
     return found[0], found[1]
+
+
+def unread_cells(
+    text: str, lines: list[tuple[int, list[str]]], rows: list[tuple[float, float] | Unread]
+) -> list[Wrong]:
+    """The mistakes of rows, each at its line and column."""
+    unread = [(*place, found) for place, found in zip(lines, rows, strict=True) if isinstance(found, Unread)]
+    written = text.splitlines() if unread else []
+    return [Wrong(k, column_of(written[k - 1], row, found.cell), found.what) for k, row, found in unread]
+
+
+def column_of(line: str, row: list[str], cell: int) -> int:
+    """Where a cell begins in a line, from 1; 1 if the line has quotes."""
+    return 1 + sum(len(before) + 1 for before in row[:cell]) if line == ",".join(row) else 1

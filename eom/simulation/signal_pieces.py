@@ -9,12 +9,15 @@ from numpy.typing import NDArray
 from eom.assembly.vectors import Array
 from eom.errors import SimulationError
 from eom.simulation.functions import NODES as INNER
-from eom.simulation.functions import Broken, pieces_of, row_of
+from eom.simulation.functions import SHORTEST, Broken, pieces_of, rows_of
 from eom.simulation.inputs import Constant, Input, Sine, Steps, Table
+from eom.simulation.kinds import are_numbers, is_number
 from eom.simulation.pieces import DEGREE
 
 PER_CYCLE = 24
 """Pieces of a cycle of a sine, with which their error is 1e-14 of it."""
+MOST = 2_400_000
+"""Pieces of a sine."""
 AFTER = np.inf
 """Until when an input holds that never ends."""
 
@@ -69,7 +72,7 @@ def told(item: Input, name: str, duration: float) -> float | Broken:
     """An input as a constant or as pieces; raises `SimulationError` for one that cannot be."""
     match item:
         case Sine():
-            return sine(item, name)
+            return sine(item, name, duration)
         case Table():
             return table(item, name)
         case Steps():
@@ -78,7 +81,7 @@ def told(item: Input, name: str, duration: float) -> float | Broken:
             return constant(item.value, name)
         case _ if callable(item):
             return pieces_of(item, name, duration)
-        case _ if np.ndim(item) == 0 and np.asarray(item).dtype.kind in "fiu":
+        case _ if is_number(item):
             return constant(item, name)
     expected = "a number, a function of time, or one of Constant, Sine, Table, Steps"
     raise SimulationError(f"input {name} is of type {type(item).__name__}: expected {expected}")
@@ -86,30 +89,35 @@ def told(item: Input, name: str, duration: float) -> float | Broken:
 
 def constant(item: Any, name: str) -> float:
     """The value of what does not change."""
-    value = float(item)
-    if not np.isfinite(value):
-        raise SimulationError(f"input {name} is {value}, expected a finite number")
-    return value
+    if not (is_number(item) and np.isfinite(item)):
+        raise SimulationError(f"input {name} is {item!r}, expected a finite number")
+    return float(item)
 
 
-def sine(item: Sine, name: str) -> Broken:
-    """A sine: nothing, pieces of its cycles, nothing."""
-    if not (item.frequency > 0.0 and item.cycles > 0.0 and np.all(np.isfinite([*vars(item).values()]))):
+def sine(item: Sine, name: str, duration: float) -> Broken:
+    """A sine: nothing, pieces of its cycles, nothing; pieces that begin after the duration are left out."""
+    finite = all(is_number(value) and np.isfinite(value) for value in vars(item).values())
+    if not (finite and item.frequency > 0.0 and item.cycles > 0.0):
         raise SimulationError(f"input {name}: expected a sine of finite numbers, frequency and cycles above zero")
     count = int(np.ceil(item.cycles * PER_CYCLE))
     length = item.cycles / item.frequency / count
-    rows = [np.zeros(DEGREE + 2)]
-    rows[0][0] = item.start - 1.0
-    for k in range(count):
-        phase = 2.0 * np.pi * item.cycles * (k + INNER) / count
-        rows.append(row_of(item.start + k * length, length, item.amplitude * np.sin(phase)))
+    needed = max(min((duration - item.start) / max(length, SHORTEST), float(count)), 0.0)
+    if needed > MOST:
+        told = f"{needed / PER_CYCLE:.3g} cycles until {duration:g} s, expected at most {MOST // PER_CYCLE}"
+        raise SimulationError(f"input {name}: {told}")
+    k = np.arange(np.ceil(needed))
+    values = item.amplitude * np.sin(2.0 * np.pi * item.cycles * (k[:, np.newaxis] + INNER) / count)
     end = item.start + item.cycles / item.frequency
-    rows.append(np.array([end, *np.zeros(DEGREE + 1)]))
-    return Broken(np.array(rows), np.array([item.start, end]), AFTER, "")
+    rows = np.zeros((len(k) + 2, DEGREE + 2))
+    rows[0, 0], rows[-1, 0] = item.start - 1.0, end
+    rows[1:-1] = rows_of(item.start + k * length, length, values)
+    return Broken(rows if len(k) == count else rows[:-1], np.array([item.start, end]), AFTER, "")
 
 
 def checked(item: Table | Steps, name: str) -> tuple[Array, Array]:
     """Instants and values as arrays of the same length, the instants growing."""
+    if not (are_numbers(item.time) and are_numbers(item.value)):
+        raise SimulationError(f"input {name}: expected rows of numbers as times and values")
     time, value = np.asarray(item.time, dtype=float), np.asarray(item.value, dtype=float)
     if time.ndim != 1 or time.shape != value.shape or not time.size:
         raise SimulationError(f"input {name}: expected as many times as values, got {time.shape} and {value.shape}")

@@ -30,7 +30,7 @@ SPEED_KEEPING = FOLDER / "runs" / "speed_keeping.yaml"
         (("--input", "axle_1.steer=step:1deg:1m"), ["start 1m: '1m' is in m, expected s"]),
         (("--input", "axle_1.steer=3kg"), ["value 3kg: '3kg' is in kg, expected rad"]),
         (("--input", "axle_1.steer=1deg", "--input", "axle_1.steer=2deg"), ["--input axle_1.steer: is given twice"]),
-        (("--duration", "1s", "--method", "rk4"), ["method rk4 needs a step, such as --step 1ms"]),
+        (("--duration", "1s", "--method", "rk4"), ["--method rk4 needs a step, such as --step 1ms"]),
         (("--duration", "1s", "--step", "1ms"), ["--step 1ms: goes with --method rk4"]),
         (("--duration", "1s", "--sample", "2s"), ["time between samples of 2 s: longer than the duration of 1 s"]),
         (("--duration", "1s", "--speed", "-3"), ["--speed -3: expected a number larger than zero"]),
@@ -62,3 +62,30 @@ def test_mistakes_of_a_run_file_are_told_with_their_places(
     err = capsys.readouterr().err
     assert f"{file}:3:3: inputs.rod: there is no such input; did you mean 'road'?" in err
     assert "--speed 3m/s: goes with axles that have nonlinear tyres" in err
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        ("duration: 1 s\nmethod: rk4\n", "2:9: method: rk4 needs a step, such as 'step: 1 ms'"),
+        ("duration: 1 s\nspeed: 3 m/s\n", "2:8: speed: goes with axles that have nonlinear tyres"),
+    ],
+)
+def test_what_a_run_file_lacks_or_a_model_does_not_take_is_told_with_its_place(
+    text: str, sentence: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "wrong.yaml"
+    file.write_text(text)
+    assert run(monkeypatch, "simulate", CAR, "--run", file) == 2
+    assert f"{file}:{sentence}" in capsys.readouterr().err
+
+
+def test_results_that_memory_may_not_hold_are_refused(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """6 million samples of 232 signals; a sine of 40 million cycles is no burden, as only the first are needed."""
+    sine = "axle_1.steer=sine:1deg:0.4Hz:0s:4e7"
+    assert run(monkeypatch, "simulate", TRAIN, "--duration", "60000s", "--input", sine) == 2
+    err = capsys.readouterr().err
+    assert "results of 11.1 GB, expected at most 4: take fewer samples" in err
+    assert "Traceback" not in err

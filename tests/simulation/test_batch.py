@@ -9,7 +9,7 @@ import pytest
 
 from eom.assembly.vectors import Array
 from eom.driver.speed_keeping import SpeedKeeping
-from eom.errors import AnalysisError, DescriptionError, SimulationError
+from eom.errors import AnalysisError, SimulationError
 from eom.model.linear import linearise
 from eom.model.tyre import TyreModel, build_tyre_model
 from eom.simulation import (
@@ -387,7 +387,7 @@ def test_what_only_a_case_makes_impossible_is_told_with_its_number() -> None:
 
 
 def test_parameters_that_no_vehicle_has_are_refused() -> None:
-    with pytest.raises(DescriptionError, match="mew"):
+    with pytest.raises(SimulationError, match=r"case 1: .*mew"):
         simulate_many(train(), [Case(), Case(parameters={"mew": 0.3})], 1.0)
 
 

@@ -143,6 +143,8 @@ def test_every_mistake_of_a_signal_file_is_told_with_its_line(
         loads_run("duration: 1\ninputs: {a: {file: steer.csv, column: steer}}", KINDS, str(tmp_path / "run.yaml"))
     mistakes = caught.value.mistakes
     assert [m.line for m in mistakes] == list(sentences)
+    # what is no number begins after the comma
+    assert all(m.column == (3 if "no number" in m.what or "1e999" in m.what else min(m.line, 1)) for m in mistakes)
     for mistake, words in zip(mistakes, sentences.values(), strict=True):
         assert words in mistake.what
         assert mistake.file == str(tmp_path / "steer.csv")
