@@ -74,26 +74,15 @@ def checked(
     tolerance: float,
 ) -> Request:
     """What is asked of a run; raises `SimulationError` with a sentence for every mistake."""
-    mistakes = [
-        *mapping_kinds({"inputs": inputs, "wires": wires, "start": {} if start is None else start}),
-        *list_kinds("blocks", blocks, "blocks"),
-        *number_kinds({"duration": duration, "sample": sample, "tolerance": tolerance}, {"speed": speed, "step": step}),
-    ]
-    if not mistakes:
-        mistakes += [
-            f"wire {name}: expected a port 'BLOCK.PORT', got {port!r}"
-            for name, port in wires.items()
-            if not isinstance(port, str)
-        ]
-        mistakes += number_kinds({f"start of {name}": value for name, value in (start or {}).items()}, {})
-    if mistakes:
+    numbers, optional = {"duration": duration, "sample": sample, "tolerance": tolerance}, {"speed": speed, "step": step}
+    start = {} if start is None else start
+    if mistakes := [*number_kinds(numbers, optional), *kind_mistakes(inputs, start, blocks, wires)]:
         raise SimulationError("\n".join(mistakes))
-    mistakes += unknown("input", inputs, model.inputs)
-    mistakes += unknown("state", start or {}, model.states)
+    mistakes = [*unknown("input", inputs, model.inputs), *unknown("state", start, model.states)]
     mistakes += [
         f"input {name} has a signal and a wire: an input follows one of them" for name in wires if name in inputs
     ]
-    mistakes += number_mistakes(duration, sample, speed, step, tolerance, start or {})
+    mistakes += number_mistakes(duration, sample, speed, step, tolerance, start)
     if not (isinstance(method, str) and method in METHODS):
         hint = did_you_mean(str(method), METHODS)
         mistakes.append(f"method = {method!r}: expected {', '.join(METHODS)}{hint}")
@@ -114,7 +103,18 @@ def checked(
     if mistakes or wiring is None:
         raise SimulationError("\n".join(mistakes))
     settings = METHODS[method], LARGEST_STEP if step is None else step, tolerance
-    return Request(found, duration, start or {}, wiring, multiples(sample, duration), method, settings)
+    return Request(found, duration, start, wiring, multiples(sample, duration), method, settings)
+
+
+def kind_mistakes(inputs: object, start: object, blocks: object, wires: object) -> Iterator[str]:
+    """Sentences for what is no mapping or no list, or holds no numbers or ports."""
+    yield from mapping_kinds({"inputs": inputs, "start": start, "wires": wires})
+    yield from list_kinds("blocks", blocks, "blocks")
+    if isinstance(start, Mapping):
+        yield from number_kinds({f"start of {name}": value for name, value in start.items()}, {})
+    for name, port in wires.items() if isinstance(wires, Mapping) else ():
+        if not isinstance(port, str):
+            yield f"wire {name}: expected a port 'BLOCK.PORT', got {port!r}"
 
 
 def check_size(cases: int, samples: int, signals: int, remedy: str) -> None:
