@@ -132,7 +132,8 @@ def row(item: Piece) -> Array:
 
 def rows_of(begin: Any, length: float, values: Any) -> Array:
     """Pieces of a length [s] by where they begin [s] and their values at `NODES`, a row a piece."""
-    powers = values @ TO_POWERS.T / length ** np.arange(DEGREE + 1)
+    # one by one: a product of all would round a piece as their number has it
+    powers = np.matmul(TO_POWERS, values[..., np.newaxis])[..., 0] / length ** np.arange(DEGREE + 1)
     return np.concatenate((begin[:, np.newaxis], powers), axis=1)
 
 
