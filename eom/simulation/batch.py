@@ -74,15 +74,15 @@ def simulate_many(
         f"keep {name}: there is no such signal{did_you_mean(name, names)}" for name in keep or () if name not in names
     ]
     vehicles: Vehicles = {}
-    asked = requests(
-        model,
-        cases,
-        mistakes,
-        lambda own: checked(
+
+    def request(own: Case) -> Request:
+        """What is asked in a case."""
+        return checked(
             model, own.inputs, duration, own.speed, own.start, blocks, wires or {}, sample, method, step, tolerance
-        ),
-        vehicles,
-    )
+        )
+
+    with Progress(f"checking {len(cases)} cases"):
+        asked = requests(model, cases, mistakes, request, vehicles)
     one = asked[0]
     columns = range(len(names)) if keep is None else [names.index(name) for name in keep]
     remedy = "name the signals to keep, take fewer samples, or fewer cases at a time"

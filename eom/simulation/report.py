@@ -18,6 +18,7 @@ from eom.simulation.engine import Engine
 from eom.simulation.equations import Model
 from eom.simulation.request import Request
 from eom.simulation.run import Run
+from eom.simulation.step_choice import STABLE_4
 from eom.splice.limits import Limit
 
 NAMES = {
@@ -117,7 +118,7 @@ def sentence(
         case of.UNSTABLE:
             return (
                 f"at {at} a step of {h:g} s is unstable: the fastest root is {root:.4g} 1/s, for which rk4 needs steps "
-                f"below {2.5 / root:.2g} s; its result would look plausible and be wrong. Take a smaller step, or "
+                f"below {STABLE_4 / root:.2g} s; its result would look plausible and be wrong. Take a smaller step, or "
                 "method 'automatic'"
             )
         case of.INACCURATE:
