@@ -20,6 +20,8 @@ from eom.vehicle.validate import did_you_mean
 SUFFIX = ".csv"
 MAX_BYTES = 100_000_000
 SHOWN = 20
+Placed = tuple[int, int, str]
+"""A mistake after its line and column, 0 for the whole file."""
 HEADING = re.compile(r"\s*([^\[\]]*?)\s*(?:\[([^\[\]]*)\]\s*)?")
 
 
@@ -29,14 +31,6 @@ class Column(NamedTuple):
     time: Array
     value: Array
     dimension: Dimension | None
-
-
-class Wrong(NamedTuple):
-    """A mistake at its place."""
-
-    line: int
-    column: int
-    what: str
 
 
 class Unread(NamedTuple):
@@ -53,11 +47,10 @@ def read_column(file: FilePath, name: str) -> Column | list[Mistake]:
     increase.
     """
 
-    def mistakes(*found: tuple[int, str] | Wrong) -> list[Mistake]:
-        """Mistakes by line, 0 for the whole file; after some of them only their number."""
-        shown = [*found[:SHOWN], *([(0, f"and {len(found) - SHOWN} more mistakes")] if len(found) > SHOWN else [])]
-        placed = [item if isinstance(item, Wrong) else Wrong(item[0], min(item[0], 1), item[1]) for item in shown]
-        return [Mistake(str(file), item.line, item.column, "", item.what) for item in placed]
+    def mistakes(*found: Placed) -> list[Mistake]:
+        """Mistakes; after some of them only their number."""
+        shown = [*found[:SHOWN], *([(0, 0, f"and {len(found) - SHOWN} more mistakes")] if len(found) > SHOWN else [])]
+        return [Mistake(str(file), line, column, "", what) for line, column, what in shown]
 
     try:
         with file.open("rb") as opened:
@@ -65,28 +58,28 @@ def read_column(file: FilePath, name: str) -> Column | list[Mistake]:
         text = raw.decode("utf-8-sig")
         lines = list(numbered(text))
     except OSError as error:
-        return mistakes((0, f"cannot be read: {error.strerror or error}"))
+        return mistakes((0, 0, f"cannot be read: {error.strerror or error}"))
     except UnicodeDecodeError as error:
-        return mistakes((0, f"not readable as UTF-8 text: {error.reason} at {error.start}"))
+        return mistakes((0, 0, f"not readable as UTF-8 text: {error.reason} at {error.start}"))
     except csv.Error as error:
-        return mistakes((0, f"not readable as CSV: {error}"))
+        return mistakes((0, 0, f"not readable as CSV: {error}"))
     if len(raw) > MAX_BYTES:
-        return mistakes((0, f"has more than {MAX_BYTES} bytes"))
+        return mistakes((0, 0, f"has more than {MAX_BYTES} bytes"))
     if not lines:
-        return mistakes((0, "is empty: expected names in the first line, 'time' first"))
+        return mistakes((0, 0, "is empty: expected names in the first line, 'time' first"))
     headings = lines[0][1]
     try:
         index, factors, dimension = chosen(headings, name)
     except ValueError as error:
-        return mistakes((lines[0][0], str(error)))
+        return mistakes((lines[0][0], 1, str(error)))
     rows = [row_values(row, index, len(headings)) for _, row in lines[1:]]
     wrong = unread_cells(text, lines[1:], rows)
     if wrong or not rows:
-        return mistakes(*wrong) or mistakes((lines[0][0], "has no values below the names"))
+        return mistakes(*wrong) or mistakes((lines[0][0], 1, "has no values below the names"))
     time, value = factors[0] * np.array(rows)[:, 0], factors[1] * np.array(rows)[:, 1]
     back = np.flatnonzero(np.diff(time) <= 0.0) + 1
     if len(back):
-        return mistakes(*((lines[k + 1][0], f"time {time[k]:g} s comes after {time[k - 1]:g} s") for k in back))
+        return mistakes(*((lines[k + 1][0], 1, f"time {time[k]:g} s comes after {time[k - 1]:g} s") for k in back))
     return Column(time, value, dimension)
 
 
@@ -140,11 +133,11 @@ def row_values(row: list[str], index: int, count: int) -> tuple[float, float] | 
 
 def unread_cells(
     text: str, lines: list[tuple[int, list[str]]], rows: list[tuple[float, float] | Unread]
-) -> list[Wrong]:
+) -> list[Placed]:
     """The mistakes of rows, each at its line and column."""
     unread = [(*place, found) for place, found in zip(lines, rows, strict=True) if isinstance(found, Unread)]
     written = text.splitlines() if unread else []
-    return [Wrong(k, column_of(written[k - 1], row, found.cell), found.what) for k, row, found in unread]
+    return [(k, column_of(written[k - 1], row, found.cell), found.what) for k, row, found in unread]
 
 
 def column_of(line: str, row: list[str], cell: int) -> int:
